@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base_sentences.hpp"
 #include "commands.hpp"
-#include "edit_sentences.hpp"
 #include "mobility_run.hpp"
 #include "planish/mobility/best_places.hpp"
 #include "planish/numeric/stopwatch.hpp"

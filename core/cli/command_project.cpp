@@ -23,7 +23,7 @@ ExitCode run_project(const Arguments& arguments) {
     save_bytes(*output, moved_mesh_bytes(*output, made.mesh, projected(made.mesh, made.result)));
   }
   const Json json = projected_json(made, base, options);
-  print_messages(projected_messages(made, json, options));
+  print_messages(projected_messages(made, json, options, arguments));
   save_report(arguments, json);
   return exit_code(made.result.report);
 }

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <utility>
 
+#include "base_sentences.hpp"
 #include "edit_sentences.hpp"
 #include "interruption.hpp"
 #include "planish/design/design_text.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "base_sentences.hpp"
 #include "conversion_run.hpp"
 #include "design_output.hpp"
 #include "edit_options.hpp"
@@ -110,7 +111,7 @@ Shape make_projection(const OpenMesh& mesh, const std::string& asked, const Open
   const ProjectedMesh made = make_flat(mesh.mesh, request, options, base, progress);
   const Json report = projected_json(made, base, options);
   return {made.mesh, projected(made.mesh, made.result), report.dump(2),
-          projected_messages(made, report, options)};
+          projected_messages(made, report, options, request)};
 }
 
 std::string bytes_of(const Shape& shape, const std::string& name) {

@@ -16,44 +16,7 @@
 
 namespace planish::workflow {
 
-std::optional<std::string> planarised_sentence(const FlatBase& base) {
-  if (!base.planarised) return std::nullopt;
-  return "not flat; planarised first, which moved " +
-         std::to_string(base.planarised->moved.size()) + " vertices by up to " +
-         three_digits(base.planarised->max_move) + " (units of the mesh)" +
-         (base.planarised->report.status == SolveStatus::kIterationLimit
-              ? ", not certified to be the best flat mesh near"
-              : "");
-}
-
 namespace {
-
-/// The sentence that the base was made symmetric first, and by how much.
-std::optional<std::string> evened_sentence(const EditRun& run) {
-  if (run.evened.max_move == 0.0) return std::nullopt;
-  return "not exactly symmetric; made so first, which moved " + std::to_string(run.evened.moved) +
-         " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
-}
-
-/// The sentence that making the base flat moved what points stand on, and what keeps it in place.
-std::optional<std::string> moved_support_sentence(const EditRun& run) {
-  if (!run.base.planarised) return std::nullopt;
-  double most = 0.0;
-  std::string name;
-  for (const PointSupport& support : run.supports) {
-    if (is_spring(support)) continue;
-    for (const int v : points_of(support, run.given)) {
-      const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
-      if (move <= most) continue;
-      most = move;
-      name = support_name(support);
-    }
-  }
-  if (most <= kSupportReach * mean_edge_length(run.given)) return std::nullopt;  // rounding
-  return "that moved points of " + name + " by up to " + three_digits(most) +
-         ", and the edit has them where they are since: planish project --support " + name +
-         " makes the file flat with them where they stand";
-}
 
 double pull_of(const EditRun& run, const Handle& handle) {
   return (handle.target - run.base.mesh.positions.col(handle.vertex)).norm();
@@ -343,10 +306,6 @@ std::optional<std::string> fewest_sentence(const EditRun& run, const Json& repor
 }
 
 }  // namespace
-
-std::vector<std::string> base_messages(const EditRun& run) {
-  return said({planarised_sentence(run.base), moved_support_sentence(run), evened_sentence(run)});
-}
 
 std::vector<std::string> edit_messages(const EditRun& run, const Json& report,
                                        const std::vector<std::string>& variation) {

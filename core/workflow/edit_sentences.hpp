@@ -10,14 +10,6 @@
 
 namespace planish::workflow {
 
-/// Who edits a mesh that is not flat should know that more of it moved than the edit; nullopt if
-/// the mesh was flat.
-[[nodiscard]] std::optional<std::string> planarised_sentence(const FlatBase& base);
-
-/// What became of the base before the edit: it was made flat, which moved what points stand on, or
-/// made symmetric.
-[[nodiscard]] std::vector<std::string> base_messages(const EditRun& run);
-
 /// What became of the edit.
 /// @param report of edit_json() or exploration_json() @param variation what is said of one, too
 [[nodiscard]] std::vector<std::string> edit_messages(

@@ -109,13 +109,15 @@ Json projected_json(const ProjectedMesh& projected, const Mesh* reference,
 }
 
 std::vector<std::string> projected_messages(const ProjectedMesh& projected, const Json& report,
-                                            const ProjectionOptions& options) {
+                                            const ProjectionOptions& options,
+                                            const Request& request) {
   const ProjectionResult& result = projected.result;
-  const std::optional<std::string> lost = lost_height_sentence(projected.mesh, result);
-  return said({damage_sentence(report["spoilt_faces"]), not_flat_sentence(result, options),
+  const std::optional<std::string> lost =
+      projected.fewer ? std::nullopt : lost_height_sentence(projected.mesh, result);
+  return said({damage_sentence(report["spoilt_faces"]), not_flat_sentence(result, options, request),
                projected_sentence(projected),
-               lost ? lost : moved_far_sentence(projected.mesh, result), confined_sentence(result),
-               outcome_sentence(result.report)});
+               lost ? lost : moved_far_sentence(projected.mesh, result, request),
+               confined_sentence(result), outcome_sentence(result.report)});
 }
 
 }  // namespace planish::workflow

@@ -37,6 +37,7 @@ struct ProjectedMesh {
 /// @param report of projected_json()
 [[nodiscard]] std::vector<std::string> projected_messages(const ProjectedMesh& projected,
                                                           const Json& report,
-                                                          const ProjectionOptions& options);
+                                                          const ProjectionOptions& options,
+                                                          const Request& request);
 
 }  // namespace planish::workflow

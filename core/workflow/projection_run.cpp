@@ -149,8 +149,23 @@ std::optional<std::string> confined_sentence(const ProjectionResult& result) {
          std::string(reason(result.confined_because));
 }
 
+namespace {
+
+/// What may make a mesh flat that is not so as it was asked for.
+std::string ways_to_flat(const ProjectionOptions& options, const Request& request) {
+  const std::string freer =
+      request.has("--keep-boundary") ? " (best without --keep-boundary), " : ", ";
+  const std::string last = "--bound shape=off gives up the shape";
+  if (request.has("--split")) return "a higher --split parts more of them" + freer + last;
+  const bool splits = !request.has("--reference") && !find_problem(options.engine, Beyond::kSplits);
+  return (splits ? "--split 10% parts a few of them" + freer : "") + last;
+}
+
+}  // namespace
+
 std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
-                                             const ProjectionOptions& options) {
+                                             const ProjectionOptions& options,
+                                             const Request& request) {
   if (result.report.status != SolveStatus::kToleranceNotMet || !options.keep_shape) {
     return std::nullopt;
   }
@@ -161,8 +176,7 @@ std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
   }
   const std::size_t count = result.failing_faces.size();
   return std::to_string(count) + (count == 1 ? " panel" : " panels") +
-         " cannot become flat and keep their shape; --bound shape=off gives up the shape, a "
-         "higher --smooth goes farther away";
+         " cannot become flat and keep their shape; " + ways_to_flat(options, request);
 }
 
 std::optional<std::string> lost_height_sentence(const Mesh& mesh, const ProjectionResult& result) {
@@ -186,15 +200,17 @@ std::optional<std::string> lost_height_sentence(const Mesh& mesh, const Projecti
          "; --within D stays nearer and less flat, --bound shape=off lets panels be concave";
 }
 
-std::optional<std::string> moved_far_sentence(const Mesh& mesh, const ProjectionResult& result) {
+std::optional<std::string> moved_far_sentence(const Mesh& mesh, const ProjectionResult& result,
+                                              const Request& request) {
   constexpr double kFar = 0.01;  // of the diagonal of the mesh's box
   const Positions& p = mesh.positions;
   if (p.cols() == 0) return std::nullopt;
   const double size = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
   if (!(result.max_move > kFar * size)) return std::nullopt;
   return "points move by up to " + three_digits(result.max_move) + " (units of the mesh), " +
-         three_digits(100.0 * result.max_move / size) +
-         " % of its size; --within D stays nearer and less flat";
+         three_digits(100.0 * result.max_move / size) + " % of its size; " +
+         (asks_for_fewer_types(request) ? "a smaller --move stays nearer"
+                                        : "--within D stays nearer and less flat");
 }
 
 }  // namespace planish::workflow

@@ -41,15 +41,18 @@ namespace planish::workflow {
 
 /// What to do where shape and flatness cannot both be had; nullopt where they can.
 [[nodiscard]] std::optional<std::string> not_flat_sentence(const ProjectionResult& result,
-                                                           const ProjectionOptions& options);
+                                                           const ProjectionOptions& options,
+                                                           const Request& request);
 
 /// The sentence that a mesh lost half or more of its height, or rise, and what keeps it; nullopt
 /// where it did not.
 [[nodiscard]] std::optional<std::string> lost_height_sentence(const Mesh& mesh,
                                                               const ProjectionResult& result);
 
-/// That points move by more than a hundredth of the mesh's size; nullopt where they do not.
+/// That points move by more than a hundredth of the mesh's size, and what stays nearer; nullopt
+/// where they do not.
 [[nodiscard]] std::optional<std::string> moved_far_sentence(const Mesh& mesh,
-                                                            const ProjectionResult& result);
+                                                            const ProjectionResult& result,
+                                                            const Request& request);
 
 }  // namespace planish::workflow

@@ -135,13 +135,17 @@ std::vector<std::string> said(std::initializer_list<std::optional<std::string>> 
   return all;
 }
 
-std::optional<std::string> damage_sentence(const Json& damage) {
+std::optional<std::string> damage_words(const Json& damage) {
   std::string words;
   for (const auto& [name, panels] : damage.items()) {
     words += (words.empty() ? "" : ", ") + std::to_string(panels.size()) + " " + name;
   }
-  if (words.empty()) return std::nullopt;
-  return "flat, but spoilt: " + words;
+  return words.empty() ? std::nullopt : std::optional(words);
+}
+
+std::optional<std::string> damage_sentence(const Json& damage) {
+  const auto words = damage_words(damage);
+  return words ? std::optional("flat, but spoilt: " + *words) : std::nullopt;
 }
 
 std::optional<std::string> fold_sentence(const Json& fold) {

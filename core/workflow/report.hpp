@@ -52,7 +52,9 @@ void add_supports(Json& json, const std::vector<PointSupport>& supports, const M
 [[nodiscard]] std::vector<std::string> said(
     std::initializer_list<std::optional<std::string>> sentences);
 
-/// What `damage_json` found; nullopt where it found nothing.
+/// What `damage_json` found, "3 concave, 1 crossing", and the sentence with it; nullopt where it
+/// found nothing.
+[[nodiscard]] std::optional<std::string> damage_words(const Json& damage);
 [[nodiscard]] std::optional<std::string> damage_sentence(const Json& damage);
 
 /// The sentence where `fold_json` has a fold that is much sharper than before; nullopt else.
