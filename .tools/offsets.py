@@ -39,7 +39,6 @@ CASES = [
     ("pq_six_planarized", "flat", None),
     ("pq_static_roof", "flat", None),
     ("quad_eight_genus2", "flat", None),
-    ("quad_pillow", "flat", None),
 ]
 
 
