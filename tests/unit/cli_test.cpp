@@ -79,6 +79,14 @@ TEST_F(Cli, PlanarisingNamesThePanelsThatItSpoils) {
   report = nlohmann::json::parse(contents(directory_ / "r.json"));
   EXPECT_EQ(report["spoilt_faces"].size(), 1U) << report;
   EXPECT_NE(err().find("flat, but spoilt: 1 "), std::string::npos) << err();
+  EXPECT_EQ(run("project cross.obj --keep-boundary -o flat.obj"), 4) << err();
+  EXPECT_NE(err().find("--split 10% parts a few of them (best without --keep-boundary)"),
+            std::string::npos)
+      << err();
+  ASSERT_EQ(run("edit cross.obj --handle 0+=0,0,0.1 --keep-boundary -o e.obj"), 0) << err();
+  EXPECT_NE(err().find("that moved 4 points of the boundary by up to 0.75, and --keep-boundary"),
+            std::string::npos)
+      << err();
 }
 
 /// On a polygon of twelve corners, up and down in turn, the engine alm is given up before its end.
