@@ -97,8 +97,9 @@ std::optional<std::string> stuck_by(const EditRun& run, const Handle& handle) {
            (before.rests.empty() ? "" : ", as it is itself before the edit") +
            ": another target or keep-out lets it move";
   }
-  if (follows_nothing(run, build_adjacency(run.base.mesh), handle.vertex)) {
-    return "no point around it may follow; some may " + ways_to_free(run);
+  const std::string ways = ways_to_free(run);
+  if (!ways.empty() && follows_nothing(run, build_adjacency(run.base.mesh), handle.vertex)) {
+    return "no point around it may follow; some may " + ways;
   }
   return std::nullopt;
 }
