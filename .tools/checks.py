@@ -63,8 +63,10 @@ def dealt(command, *needs, parts=4 * CORES):
 
 
 def vitest(folder, options="", config="web/vitest.config.ts"):
+    """PLANISH_BAIL: ends with the first failure, where that is all that is asked."""
     return (
-        f"npx --no-install vitest run --config {config} --dir tests/{folder} "
+        "npx --no-install vitest run ${PLANISH_BAIL:+--bail=1} "
+        f"--config {config} --dir tests/{folder} "
         f"--reporter=default --reporter=junit --outputFile.junit=$OUT/vitest.xml {options}"
     )
 

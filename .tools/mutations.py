@@ -80,8 +80,9 @@ def said(*command, **options):
 
 
 def caught_by(checks):
+    environment = os.environ | {"PLANISH_BAIL": "yes"}
     for check in checks:
-        if said("python3", ".tools/checks.py", check).returncode != 0:
+        if said("python3", ".tools/checks.py", check, env=environment).returncode != 0:
             return check
     return None
 
