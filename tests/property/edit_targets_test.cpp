@@ -96,6 +96,29 @@ TEST_P(EditOn, ContradictoryHandlesKeepPanelsFlat) {
   }
 }
 
+/// How far a handle gets does not depend on how far beyond that its target is.
+TEST(FarTargets, GetAtLeastHalfAsFarAsTheBestNearerOne) {
+  for (const char* const name : {"roof", "vault", "freeform"}) {
+    const Mesh mesh = testing::sample(name, 11);
+    const int middle = testing::middle_vertex(mesh);
+    const double edge = mean_edge_length(mesh);
+    const auto way = [&](double edges, bool hard) {
+      const EditTargets targets = testing::pull(mesh, middle, {0, 0, edges * edge});
+      const HandleEditOptions options{
+          .hard_handles = hard, .reach = 4, .keep_boundary = true, .softness = 4.0};
+      const HandleEditResult result = solve_handle_edit(mesh, targets, options);
+      expect_exact(mesh, result);
+      return edges - result.report.handle_error / edge;
+    };
+    const double near = std::max(way(3.0, false), way(6.0, false));
+    EXPECT_GT(near, 2.0) << name;
+    for (const double edges : {40.0, 1000.0}) {
+      EXPECT_GT(way(edges, false), 0.5 * near) << name << " " << edges;
+    }
+    EXPECT_GT(way(1000.0, true), 0.5 * near) << name << " hard";
+  }
+}
+
 /// Hard targets that no flat design meets: three corners stay, the fourth is lifted.
 TEST_P(EditOn, ImpossibleHardHandlesAreReported) {
   const Adjacency adjacency = build_adjacency(mesh);

@@ -47,6 +47,16 @@ EngineOutcome EditSearch::follow(bool fresh, DisplacementField& field, const Pro
   return newton_.run_warm(model_.problem(), options, field, progress);
 }
 
+/// Targets at a share of the way from the base to those given.
+EditTargets EditSearch::part_of(const EditTargets& targets, double share) const {
+  EditTargets now = targets;
+  for (Handle& handle : now.handles) {
+    const Eigen::Vector3d base = model_.mesh_model().mesh.positions.col(handle.vertex);
+    if (share < 1.0) handle.target = base + share * (handle.target - base);
+  }
+  return now;
+}
+
 /// Goes on as a drag in equal steps would, one that is not acceptable included: the next starts
 /// afresh. At the targets it goes on to a minimum. [PTH-1]
 EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
@@ -55,13 +65,8 @@ EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
   EngineOutcome total;
   bool fresh = true;
   for (int step = 1; step <= targets.continuation; ++step) {
-    EditTargets now = targets;
-    const double share = static_cast<double>(step) / targets.continuation;
-    for (Handle& handle : now.handles) {
-      const Eigen::Vector3d base = model_.mesh_model().mesh.positions.col(handle.vertex);
-      if (step < targets.continuation) handle.target = base + share * (handle.target - base);
-    }
-    model_.pose(now, model_.options());
+    model_.pose(part_of(targets, static_cast<double>(step) / targets.continuation),
+                model_.options());
     go_on(follow(fresh, field_, progress), total);
     if (total.status == SolveStatus::kCancelled) break;
     fresh = total.status == SolveStatus::kSingularSystem || !model_.is_acceptable(design());
@@ -81,7 +86,7 @@ EngineOutcome EditSearch::soften(const NewtonOptions& options, const Progress& p
   constexpr double kDown = 2.5;  // of the scale's 10, at most, between two
   constexpr double kWarm = 0.015;
   constexpr double kLimitPenalty = 60.0;  // μ of the limits once their multipliers are about known
-  const HandleEditOptions& asked = model_.options();
+  const HandleEditOptions asked = posed_options();
   NewtonOptions step = options;
   step.last_smoothing = kCoarse;  // settle() goes on from its own first ε
   step.stop = 1e-3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The way in parts: for targets that a jump does not reach.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "edit/edit_search.hpp"
@@ -106,13 +107,61 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
     ExactDesign design = solve_in_parts(progress, report);
     if (report.status != SolveStatus::kInfeasibleHandles) return design;
   }
+  softens_handles_ = true;
   for (const int v : hard) problem.terms[at(v)].fixed = false;
   ExactDesign design = solve_in_parts(progress, report);
+  if (stops_far_short(design, report)) find_nearer(progress, design, report);
   for (const int v : hard) problem.terms[at(v)].fixed = true;
+  softens_handles_ = false;
   if (softened && report.status != SolveStatus::kCancelled) {
     report.status = SolveStatus::kInfeasibleHandles;
   }
   return design;
+}
+
+/// Whether nothing certified was found and the handles are not half the way to their targets.
+bool EditSearch::stops_far_short(const ExactDesign& design, const SolveReport& report) const {
+  constexpr double kFar = 0.5;  // of the move
+  const bool certified = report.optimality && report.optimality->met();
+  if (certified || report.status == SolveStatus::kCancelled) return false;
+  return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
+}
+
+/// Nearer targets, in place of those that a search got nowhere with: the design that gets nearest
+/// to those that were asked for. [PTH-2]
+void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report) {
+  constexpr double kBack = 0.4;         // of a pull that its handles do not follow: the next
+  constexpr double kFollowed = 0.15;    // of a pull: handles that are so near have followed it
+  constexpr double kFirstEdges = 16.0;  // no first pull is longer
+  constexpr double kFine = 1.25;        // the ratio of two pulls: nothing is looked for between
+  constexpr int kMostPulls = 4;
+  const EditTargets asked = model_.targets();
+  const double way = handle_scale(model_.problem());
+  double nearest = model_.handle_distance(design);
+  double low = 0.0;
+  double high = 1.0;
+  double share = std::min(kBack, kFirstEdges / way);
+  for (int k = 0; k < kMostPulls && high > kFine * low && report.status != SolveStatus::kCancelled;
+       ++k) {
+    model_.set_targets(part_of(asked, share));
+    model_.pose(model_.targets(), posed_options());
+    model_.active_set().reset();
+    SolveReport pull;
+    ExactDesign next = run_engine(progress, pull);
+    report.cost += pull.cost;
+    const bool acceptable = model_.is_acceptable(next);
+    const bool follows = acceptable && model_.handle_distance(next) <= kFollowed * share * way;
+    model_.set_targets(asked);
+    if (pull.status == SolveStatus::kCancelled) report.status = pull.status;
+    (follows ? low : high) = share;
+    share = low > 0.0 ? std::sqrt(low * high) : kBack * share;
+    const double left = model_.handle_distance(next);
+    if (!acceptable || left >= nearest) continue;
+    nearest = left;
+    design = std::move(next);
+    report.optimality.reset();
+    if (report.usable()) report.status = SolveStatus::kInfeasibleHandles;
+  }
 }
 
 /// A jump may end against the barrier, far from the target and from any minimum.

@@ -20,6 +20,12 @@ bool EditSearch::follows_softness() const {
   return model_.options().softness > 0.0 && has_reach(model_.options());
 }
 
+HandleEditOptions EditSearch::posed_options() const {
+  HandleEditOptions options = model_.options();
+  if (softens_handles_) options.hard_handles = false;
+  return options;
+}
+
 /// What takes more ends no lower; where many stated limits act, late steps still pay.
 EditSearch::Budget EditSearch::budget() const {
   constexpr Budget kPlain{40, 60, 25, 80};
@@ -64,6 +70,7 @@ ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
   }
   if (stops_short(design, report)) {
     try_in_parts(progress, design, report);
+    if (stops_far_short(design, report)) find_nearer(progress, design, report);
   } else if (report.status == SolveStatus::kSingularSystem) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }

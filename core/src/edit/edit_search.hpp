@@ -80,15 +80,23 @@ class EditSearch {
   std::optional<ExactDesign> settle_at_keep_outs(const NewtonOptions& options,
                                                  const Progress& progress, SolveReport& report);
 
+  [[nodiscard]] EditTargets part_of(const EditTargets& targets, double share) const;
+
   // The way in parts.
   [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
+  [[nodiscard]] bool stops_far_short(const ExactDesign& design, const SolveReport& report) const;
+  void find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report);
   ExactDesign advance(bool cold, const NewtonOptions& options, const Progress& progress,
                       SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign fall_back(const Progress& progress, SolveReport& report);
   void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
 
+  /// The options of the edit, its handles soft where no flat design meets hard ones.
+  [[nodiscard]] HandleEditOptions posed_options() const;
+
   EditModel& model_;
+  bool softens_handles_ = false;
   WorkingSetNewton newton_;
   DisplacementField field_;
 };
