@@ -117,7 +117,7 @@ GRAPH = {
     "wasm-all": dealt(WASM_TEST.format("planish_all_tests"), "build-wasm-all", parts=8 * CORES),
     "sanitize-all": dealt("build/sanitize/tests/planish_all_tests", "build-sanitize-all", parts=16 * CORES),
     "tidy-all": Check("python3 .tools/tidy.py --all --record", cores=CORES),
-    "fuzz-long": Check("bash .tools/fuzz.sh --long", ("build-fuzz",), cores=CORES),
+    "fuzz-long": Check("bash .tools/fuzz.sh --long", ("build-fuzz", "build-wasm"), cores=CORES),
 }
 BEFORE_SHOWING = ["format", "lint", "types", "architecture", "unit", "page", "parity", "native"]
 REST = ["browser", "firefox", "package", "python", "doors", "sanitize", "wasm", "tidy", "cppcheck", "fuzz"]
