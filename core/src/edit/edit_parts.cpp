@@ -109,8 +109,13 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
   }
   softens_handles_ = true;
   for (const int v : hard) problem.terms[at(v)].fixed = false;
-  ExactDesign design = solve_in_parts(progress, report);
-  if (stops_far_short(design, report)) find_nearer(progress, design, report);
+  ExactDesign design = EditModel::unmoved();
+  report.status = SolveStatus::kInfeasibleHandles;
+  // Where Newton's method failed, its parts arrive no more often than nearer targets are met.
+  if (model_.options().engine == Engine::kNewton) find_nearer(progress, design, report);
+  if (design.vertices.empty() && report.status != SolveStatus::kCancelled) {
+    design = solve_in_parts(progress, report);
+  }
   for (const int v : hard) problem.terms[at(v)].fixed = true;
   softens_handles_ = false;
   if (softened && report.status != SolveStatus::kCancelled) {
@@ -119,9 +124,9 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
   return design;
 }
 
-/// Whether nothing certified was found and the handles are not half the way to their targets.
-bool EditSearch::stops_far_short(const ExactDesign& design, const SolveReport& report) const {
-  constexpr double kFar = 0.5;  // of the move
+/// A jump may end against the barrier, far from the targets and from any minimum.
+bool EditSearch::stops_short(const ExactDesign& design, const SolveReport& report) const {
+  constexpr double kFar = 0.25;  // of the move
   const bool certified = report.optimality && report.optimality->met();
   if (certified || report.status == SolveStatus::kCancelled) return false;
   return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
@@ -130,9 +135,10 @@ bool EditSearch::stops_far_short(const ExactDesign& design, const SolveReport& r
 /// Nearer targets, in place of those that a search got nowhere with: the design that gets nearest
 /// to those that were asked for. [PTH-2]
 void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report) {
+  constexpr double kFirst = 0.65;       // of the way: the first pull
   constexpr double kBack = 0.4;         // of a pull that its handles do not follow: the next
   constexpr double kFollowed = 0.15;    // of a pull: handles that are so near have followed it
-  constexpr double kFirstEdges = 16.0;  // no first pull is longer
+  constexpr double kFirstEdges = 16.0;  // it is no longer
   constexpr double kFine = 1.25;        // the ratio of two pulls: nothing is looked for between
   constexpr int kMostPulls = 4;
   const EditTargets asked = model_.targets();
@@ -140,17 +146,21 @@ void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, Solv
   double nearest = model_.handle_distance(design);
   double low = 0.0;
   double high = 1.0;
-  double share = std::min(kBack, kFirstEdges / way);
-  for (int k = 0; k < kMostPulls && high > kFine * low && report.status != SolveStatus::kCancelled;
+  double share = std::min(kFirst, kFirstEdges / way);
+  bool stuck = false;
+  for (int k = 0;
+       k < kMostPulls && high > kFine * low && !stuck && report.status != SolveStatus::kCancelled;
        ++k) {
     model_.set_targets(part_of(asked, share));
     model_.pose(model_.targets(), posed_options());
     model_.active_set().reset();
     SolveReport pull;
-    ExactDesign next = run_engine(progress, pull);
+    ExactDesign next = solve_newton(progress, pull);
     report.cost += pull.cost;
     const bool acceptable = model_.is_acceptable(next);
     const bool follows = acceptable && model_.handle_distance(next) <= kFollowed * share * way;
+    // Where a certified design leaves its handles behind, those of a shorter pull stay, too.
+    stuck = !follows && pull.status == SolveStatus::kConverged;
     model_.set_targets(asked);
     if (pull.status == SolveStatus::kCancelled) report.status = pull.status;
     (follows ? low : high) = share;
@@ -162,32 +172,6 @@ void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, Solv
     report.optimality.reset();
     if (report.usable()) report.status = SolveStatus::kInfeasibleHandles;
   }
-}
-
-/// A jump may end against the barrier, far from the target and from any minimum.
-bool EditSearch::stops_short(const ExactDesign& design, const SolveReport& report) const {
-  constexpr double kFar = 0.05;  // of the move
-  const bool certified = report.optimality && report.optimality->met();
-  if (!model_.is_bounded() || certified || report.status == SolveStatus::kCancelled) return false;
-  return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
-}
-
-/// The way in parts, where it ends lower, or at the same place with a certificate.
-void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report) {
-  SolveReport other;
-  ExactDesign nearer = solve_in_parts(progress, other);
-  other.cost += report.cost;
-  other.records = std::move(report.records);
-  constexpr double kSame = 1e-6;  // of the objective
-  const double found = model_.objective(design).total();
-  const bool certified = other.optimality && other.optimality->met();
-  if (model_.objective(nearer).total() < (certified ? 1.0 + kSame : 1.0) * found) {
-    design = std::move(nearer);
-  } else {
-    other.status = report.status;
-    other.optimality = report.optimality;
-  }
-  report = std::move(other);
 }
 
 }  // namespace planish

@@ -69,8 +69,7 @@ ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
     return fall_back(progress, report);
   }
   if (stops_short(design, report)) {
-    try_in_parts(progress, design, report);
-    if (stops_far_short(design, report)) find_nearer(progress, design, report);
+    find_nearer(progress, design, report);
   } else if (report.status == SolveStatus::kSingularSystem) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }

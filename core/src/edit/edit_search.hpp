@@ -84,13 +84,11 @@ class EditSearch {
 
   // The way in parts.
   [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
-  [[nodiscard]] bool stops_far_short(const ExactDesign& design, const SolveReport& report) const;
   void find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report);
   ExactDesign advance(bool cold, const NewtonOptions& options, const Progress& progress,
                       SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign fall_back(const Progress& progress, SolveReport& report);
-  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
 
   /// The options of the edit, its handles soft where no flat design meets hard ones.
   [[nodiscard]] HandleEditOptions posed_options() const;
