@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What planarising with its defaults does to the shared meshes: the figures of docs/decisions/0039-*.
+"""What planarising with its defaults does to the shared meshes: the figures of decisions 13 and 49.
 
     /usr/bin/python3 .tools/planarising.py [FOLDER]
 
