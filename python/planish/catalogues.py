@@ -47,7 +47,8 @@ def catalogue(
     """
     if not (PAGE / "index.html").exists():
         raise UsageError(
-            "this package was built without the catalogue's page: build it, then the wheel"
+            "this package was built without the catalogue's page: run bash .tools/build.sh catalogue, "
+            "then build the wheel again"
         )
     folder, out = Path(folder), Path(out)
     for part in ("designs", "pictures"):
