@@ -12,6 +12,8 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from . import _core, picture
 from .design import Design
 from .errors import UsageError
@@ -32,7 +34,8 @@ def catalogue(
 ) -> None:
     """A static folder that shows what a sweep left in `folder`; open its index.html.
 
-    Every design is made again for its picture, over all cores; pictures that `out` has are kept.
+    Every design is made again for its picture, over all cores. Panels are coloured by how far they move, on
+    one scale up to the largest move of all designs; pictures that `out` has on this scale are kept.
 
     Args:
         folder: as `planish sweep -o` fills it.
@@ -59,11 +62,13 @@ def catalogue(
     table = _table(out / "results.csv")
     files = {row["id"]: folder / f"{row['id']}.design.json" for row in table["designs"]}
     files = {name: path for name, path in files.items() if path.exists()}
-    _draw(files, out / "pictures", progress)
+    largest = _largest_move(table)
+    (out / "scale.svg").write_text(picture.scale(), encoding="utf-8")
+    _draw(files, out / "pictures", largest, progress)
     for row in table["designs"]:
         if row["id"] in files:
             row |= _doors(row["id"], files[row["id"]], out, page)
-    text = json.dumps({"title": title, **table}, separators=(",", ":"))
+    text = json.dumps({"title": title, "largest": largest, **table}, separators=(",", ":"))
     (out / "designs.js").write_text(f"planishCatalogue = {text};\n", encoding="utf-8")
 
 
@@ -91,12 +96,25 @@ def _cell(text: str) -> float | str | None:
         return text
 
 
+def _largest_move(table: dict[str, Any]) -> float:
+    """Of all designs; 0 where nothing moves."""
+    names = [column["name"] for column in table["columns"]]
+    moves = [row["cells"][names.index("max_displacement")] for row in table["designs"]]
+    return max((move for move in moves if isinstance(move, float)), default=0.0)
+
+
 def _draw(
-    files: dict[str, Path], pictures: Path, progress: Callable[[int, int], bool | None] | None
+    files: dict[str, Path],
+    pictures: Path,
+    largest: float,
+    progress: Callable[[int, int], bool | None] | None,
 ) -> None:
-    missing = {name: path for name, path in files.items() if not _picture(pictures, name).exists()}
+    missing = {
+        name: path for name, path in files.items()
+        if not _is_drawn(_picture(pictures, name), largest)
+    }
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        drawn = [pool.submit(_draw_one, path, _picture(pictures, name))
+        drawn = [pool.submit(_draw_one, path, _picture(pictures, name), largest)
                  for name, path in missing.items()]
         for done, future in enumerate(as_completed(drawn), 1):
             future.result()
@@ -105,11 +123,22 @@ def _draw(
                 return
 
 
-def _draw_one(design: Path, path: Path) -> None:
+def _scale_mark(largest: float) -> str:
+    """The last line of a picture: the scale that it was drawn on."""
+    return f"<!-- scale {largest!r} -->\n"
+
+
+def _is_drawn(path: Path, largest: float) -> bool:
+    return path.exists() and path.read_text(encoding="utf-8").endswith(_scale_mark(largest))
+
+
+def _draw_one(design: Path, path: Path, largest: float) -> None:
     """By rename, so that a picture is whole or missing."""
     shape = Design.load(design).replay()
+    moves = np.linalg.norm(shape.positions - shape.base.points, axis=1)
+    drawn = picture.svg(shape.mesh, moves, largest)
     part = path.with_suffix(".part")
-    part.write_text(picture.svg(shape.mesh, shape.moved.tolist()), encoding="utf-8")
+    part.write_text(f"{drawn}\n{_scale_mark(largest)}", encoding="utf-8")
     part.replace(path)
 
 

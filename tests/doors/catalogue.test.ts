@@ -82,7 +82,9 @@ it("a folder of plain files opens from the disk, with a picture, figures and a l
 
 it("brushing an axis leaves the designs on it, and the fields say so", async () => {
   const page = await open();
-  const box = await page.getByRole("img", { name: /^Parallel axes: handles/ }).boundingBox();
+  const box = await page
+    .getByRole("img", { name: /^Parallel axes: lift of handle 1, z/ })
+    .boundingBox();
   if (!box) throw new Error("there is no chart");
   const x = box.x + 64; // the first axis, from 0.1 below to 0.8 above
   await page.mouse.move(x, box.y + 60);
@@ -91,7 +93,7 @@ it("brushing an axis leaves the designs on it, and the fields say so", async () 
   await page.mouse.move(x, box.y + 150, { steps: 4 });
   await page.mouse.up();
   await expect.poll(() => left(page)).toBe(6); // of 0.1, 0.33, 0.57 and 0.8
-  const from = page.getByRole("spinbutton", { name: "handles[0].by[2], from" });
+  const from = page.getByRole("spinbutton", { name: "lift of handle 1, z, from" });
   const brushed = Number(await from.inputValue());
   expect(brushed).toBeGreaterThan(0.34);
   expect(brushed).toBeLessThan(0.56);
@@ -106,12 +108,14 @@ it("the keyboard brushes by fields, chooses words and sorts", async () => {
   await page.keyboard.type("5");
   await page.keyboard.press("Tab");
   await expect.poll(() => left(page)).toBe(16);
-  await page.getByRole("combobox", { name: "keep_boundary" }).selectOption("true");
+  await page.getByRole("combobox", { name: "keep boundary" }).selectOption("true");
   await expect.poll(() => left(page)).toBe(8);
-  await page.getByRole("combobox", { name: "Sort by" }).selectOption("handles[0].by[2]");
+  await page
+    .getByRole("combobox", { name: "Sort by" })
+    .selectOption({ label: "lift of handle 1, z" });
   await page.getByRole("checkbox", { name: "largest first" }).check();
   const first = page.getByRole("list", { name: "Designs" }).getByRole("listitem").first();
-  expect(await first.textContent()).toContain("handles[0].by[2]0.8");
+  expect(await first.textContent()).toContain("lift of handle 1, z0.8");
   await page.context().close();
 });
 

@@ -4,6 +4,7 @@
 import base64
 import json
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -74,6 +75,37 @@ class Catalogues(InFolder):
         planish.catalogue("out", "catalogue", progress=lambda *_: self.fail("done again"))
         self.assertEqual([os.stat(path).st_mtime_ns for path in pictures], times)
         self.assertIsNone(self.table()["designs"][0]["link"])  # nobody said where the editor is
+
+    def test_panels_are_coloured_by_their_move_on_one_scale(self):
+        plan = planish.Plan({**PLAN, "values": {"handles[0].by[2]": [0.1, 0.8]}})
+        for job in plan:
+            job.run("lifted")
+        planish.catalogue("lifted", "catalogue")
+        columns = [column["name"] for column in self.table()["columns"]]
+        moves = {row["cells"][columns.index("handles[0].by[2]")]:
+                 (row["cells"][columns.index("max_displacement")], Path("catalogue", row["picture"]))
+                 for row in self.table()["designs"]}
+        self.assertEqual(self.table()["largest"], moves[0.8][0])
+        colours = {lift: set(re.findall('fill="(#[0-9a-f]{6})"', path.read_text()))
+                   for lift, (_, path) in moves.items()}
+        self.assertGreater(len(colours[0.8]), 10)
+        violet = {c for c in colours[0.8] if int(c[1:3], 16) < int(c[5:7], 16) - 20 and c[3:5] < "40"}
+        self.assertTrue(violet)  # the farthest of all
+        self.assertFalse(violet & colours[0.1])
+        self.assertIn("linearGradient", Path("catalogue/scale.svg").read_text())
+
+    def test_a_design_that_moves_farther_has_all_drawn_on_its_scale(self):
+        lifts = [0.1, 0.4, 0.8]
+        for lift in lifts[:2]:
+            planish.Plan({**PLAN, "values": {"handles[0].by[2]": [lift]}})[0].run("lifted")
+        planish.catalogue("lifted", "catalogue")
+        before = {path.name: path.read_text() for path in Path("catalogue/pictures").iterdir()}
+        planish.Plan({**PLAN, "values": {"handles[0].by[2]": [lifts[2]]}})[0].run("lifted")
+        told = []
+        planish.catalogue("lifted", "catalogue", progress=lambda *counts: told.append(counts))
+        self.assertEqual(told[-1], (3, 3))
+        for name, text in before.items():
+            self.assertNotEqual(Path("catalogue/pictures", name).read_text(), text)
 
     def test_a_folder_without_results_is_refused(self):
         words = [sys.executable, "-m", "planish", "catalogue", "none", "-o", "catalogue"]

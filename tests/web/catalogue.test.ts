@@ -7,12 +7,20 @@ import {
   withInterval,
   withWord,
 } from "../../web/src/catalogue/filter.ts";
-import { axesOf, type Cell, choicesOf, type Table } from "../../web/src/catalogue/table.ts";
+import {
+  axesOf,
+  type Cell,
+  choicesOf,
+  inLines,
+  labelOf,
+  type Table,
+} from "../../web/src/catalogue/table.ts";
 
 const NO_DOORS = { picture: null, file: null, link: null };
 const row = (id: string, ...cells: Cell[]) => ({ id, cells, ...NO_DOORS });
 const TABLE: Table = {
   title: "",
+  largest: 0,
   columns: [
     { name: "options.softness", kind: "value" },
     { name: "status", kind: "figure" },
@@ -54,4 +62,20 @@ it("designs without a figure come last, whichever way the others are sorted", ()
     sorted(TABLE.designs, { column: 2, descending }).map(({ id }) => id);
   expect(order(false)).toEqual(["a", "b", "c"]);
   expect(order(true)).toEqual(["b", "a", "c"]);
+});
+
+it("what a sweep varied is named in plain words, handles counted from 1", () => {
+  const label = (name: string): string => labelOf({ name, kind: "value" });
+  expect(label("handles[0].by[2]")).toBe("lift of handle 1, z");
+  expect(label("handles[11].by[0]")).toBe("move of handle 12, x");
+  expect(label("handles[0][0]")).toBe("point of handle 1");
+  expect(label("handles[1][3]")).toBe("place of handle 2, z");
+  expect(label("options.keep_boundary")).toBe("keep boundary");
+  expect(label("variations[0].coefficients[1]")).toBe("variations[0].coefficients[1]");
+});
+
+it("a name that is wider than its axis has lines, broken between words", () => {
+  expect(inLines("lift of handle 12, z")).toBe("lift of handle\n12, z");
+  expect(inLines("farthest from the old surface")).toBe("farthest from\nthe old surface");
+  expect(inLines("softness")).toBe("softness");
 });

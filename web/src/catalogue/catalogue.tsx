@@ -70,6 +70,15 @@ function Sorting({
   );
 }
 
+/** What the colours of all pictures mean; scale.svg lies beside the page. */
+const MoveScale = ({ largest }: { readonly largest: number }) => (
+  <p class="move-scale">
+    Panels by how far their farthest corner moves: 0
+    <img src="scale.svg" alt="from yellow to violet" />
+    {String(Number(largest.toPrecision(4)))}
+  </p>
+);
+
 export function Catalogue({ table }: { readonly table: Table }) {
   const [filter, setFilter] = useState(EVERYTHING);
   const [order, setOrder] = useState<Order | null>(null);
@@ -108,6 +117,7 @@ export function Catalogue({ table }: { readonly table: Table }) {
         <div ref={element} role="img" aria-label={`Parallel axes: ${names}`} />
       </section>
       <Ranges axes={axes} choices={choices} filter={filter} onFilter={say} />
+      {table.largest > 0 && <MoveScale largest={table.largest} />}
       <Cards table={table} designs={left.slice(0, shown)} onPoint={point} />
       {left.length > shown && (
         <button type="button" class="more" onClick={() => setShown(shown + PAGE_SIZE)}>

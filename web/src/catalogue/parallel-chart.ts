@@ -5,7 +5,7 @@ import { ParallelComponent } from "echarts/components";
 import { type EChartsType, init, use } from "echarts/core";
 import { CanvasRenderer } from "echarts/renderers";
 import type { Filter, Interval } from "./filter.ts";
-import type { Axis, Table } from "./table.ts";
+import { type Axis, inLines, type Table } from "./table.ts";
 import type { Theme } from "./theme.ts";
 
 use([ParallelSeries, ParallelComponent, CanvasRenderer]);
@@ -21,6 +21,8 @@ interface AxisAreaEvent {
   readonly intervals?: readonly (readonly [number, number])[];
 }
 
+const LINE_PX = 15;
+
 /** Four digits are enough to aim. */
 const formatted = (value: number): string => String(Number(value.toPrecision(4)));
 
@@ -31,9 +33,9 @@ function axisOption(axis: Axis, dim: number, theme: Theme): object {
     type: "value",
     min: axis.low,
     max: axis.high,
-    name: axis.label,
+    name: inLines(axis.label),
     nameLocation: "end",
-    nameTextStyle: { color: theme.ink, width: AXIS_MIN_WIDTH_PX - 8, overflow: "break" },
+    nameTextStyle: { color: theme.ink, lineHeight: LINE_PX },
     axisLabel: {
       color: theme.ink,
       formatter: formatted,

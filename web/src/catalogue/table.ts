@@ -22,6 +22,8 @@ export interface DesignRow {
 
 export interface Table {
   readonly title: string;
+  /** The move, in the designs' unit, that has the last colour of the pictures' scale; 0: nothing moves. */
+  readonly largest: number;
   readonly columns: readonly Column[];
   readonly designs: readonly DesignRow[];
 }
@@ -58,9 +60,36 @@ const LABELS: Readonly<Record<string, string>> = {
 /** Always nearly 0, the same for all designs, or of no use to whoever chooses one. */
 const NOT_SHOWN = new Set(["design", "message", "planarity_mm_per_m", "iterations"]);
 
-/** "options.softness" as "softness"; figures in words. */
-export const labelOf = ({ name, kind }: Column): string =>
-  kind === "value" ? name.replace(/^options\./, "") : (LABELS[name] ?? name.replaceAll("_", " "));
+/** A field of a handle: `handles[0].by[2]`, or `handles[0][3]` of the list vertex, x, y, z. */
+const HANDLE_FIELD = /^handles\[(\d+)\](?:\.(by)\[([0-2])\]|\[([0-3])\])$/;
+const AXIS_NAMES = ["x", "y", "z"];
+
+/** "lift of handle 1, z"; null: no field of a handle. Handles count from 1, as people count. */
+function handleLabel(name: string): string | null {
+  const [, index, by, along, place] = HANDLE_FIELD.exec(name) ?? [];
+  if (index === undefined) return null;
+  const handle = `handle ${Number(index) + 1}`;
+  if (by) return `${along === "2" ? "lift" : "move"} of ${handle}, ${AXIS_NAMES[Number(along)]}`;
+  return place === "0"
+    ? `point of ${handle}`
+    : `place of ${handle}, ${AXIS_NAMES[Number(place) - 1]}`;
+}
+
+/** "options.keep_boundary" as "keep boundary"; figures in words. */
+export const labelOf = ({ name, kind }: Column): string => {
+  const words = (): string => name.replace(/^options\./, "").replaceAll("_", " ");
+  return kind === "value" ? (handleLabel(name) ?? words()) : (LABELS[name] ?? words());
+};
+
+/** What an axis of the chart has room for; ECharts cuts off the rest of a line. */
+const MOST_LETTERS = 16;
+
+/** The name of an axis, in lines. */
+export const inLines = (label: string): string =>
+  label.split(" ").reduce((lines, word) => {
+    const last = lines.length - lines.lastIndexOf("\n") - 1;
+    return `${lines}${last + 1 + word.length <= MOST_LETTERS ? " " : "\n"}${word}`;
+  });
 
 export const shownColumns = ({ columns }: Table): number[] =>
   columns.flatMap(({ name, kind }, k) => (kind === "value" || !NOT_SHOWN.has(name) ? [k] : []));
