@@ -53,7 +53,7 @@ TEST(WriteDxf, HoldsClosedPolylinesOfVersion12Only) {
   Drawing drawing;
   drawing.loops.push_back({DrawingLayer::kCut, outline_of({{0, 0}, {2, 0}, {1, 1.25}})});
   drawing.texts.push_back({{1, 0.5}, 0.25, 90.0, "P-0001"});
-  const std::string dxf = write_dxf(drawing);
+  const std::string dxf = write_dxf(drawing, "mm");
   EXPECT_NE(dxf.find("9\n$ACADVER\n1\nAC1009\n"), std::string::npos);
   EXPECT_EQ(dxf.find("LWPOLYLINE"), std::string::npos);
   EXPECT_NE(dxf.find("0\nPOLYLINE\n8\nCUT\n66\n1\n10\n0\n20\n0\n30\n0\n70\n1\n0\nVERTEX\n8\nCUT\n10"
@@ -65,6 +65,27 @@ TEST(WriteDxf, HoldsClosedPolylinesOfVersion12Only) {
   EXPECT_EQ(occurrences(dxf, "0\nLAYER\n2\n"), 2U);  // those that something is on
   EXPECT_NE(dxf.find("0\nLTYPE\n2\nCONTINUOUS\n"), std::string::npos);
   EXPECT_EQ(dxf.substr(dxf.size() - 6), "0\nEOF\n");
+}
+
+TEST(WriteDxf, NamesItsUnitInTheHeader) {
+  const auto header_of = [](const char* unit) {
+    const std::string dxf = write_dxf({}, unit);
+    return dxf.substr(0, dxf.find("0\nENDSEC\n"));
+  };
+  const auto ends_with = [](const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+  };
+  const auto units = [](int insunits, int measurement) {
+    return "9\n$INSUNITS\n70\n" + std::to_string(insunits) + "\n9\n$MEASUREMENT\n70\n" +
+           std::to_string(measurement) + "\n";
+  };
+  EXPECT_TRUE(ends_with(header_of("mm"), units(4, 1)));
+  EXPECT_TRUE(ends_with(header_of("cm"), units(5, 1)));
+  EXPECT_TRUE(ends_with(header_of("m"), units(6, 1)));
+  EXPECT_TRUE(ends_with(header_of("km"), units(7, 1)));
+  EXPECT_TRUE(ends_with(header_of("in"), units(1, 0)));
+  EXPECT_TRUE(ends_with(header_of("ft"), units(2, 0)));
+  EXPECT_TRUE(ends_with(header_of("ell"), "9\n$ACADVER\n1\nAC1009\n"));
 }
 
 TEST(WriteSvg, HasTheSheetInItsUnitWithTheOriginBelow) {

@@ -43,10 +43,10 @@ class PackageWriter {
     zip_.add("labels.html", write_labels(plan_, drawn_faces(), code_));
     const std::string folder = plan_.options.by_type ? "types" : "panels";
     const std::string ending = "-" + plan_.options.unit + ".dxf";
-    zip_.add(folder + ending, write_dxf(all_items()));
+    zip_.add(folder + ending, write_dxf(all_items(), plan_.options.unit));
     for (const CutItem& item : items_) {
       zip_.add(std::string(folder).append("/").append(item.name).append(ending),
-               write_dxf(item.panel.drawing));
+               write_dxf(item.panel.drawing, plan_.options.unit));
     }
     if (has_sheets) add_sheets(placed);
     zip_.finish();
@@ -135,7 +135,7 @@ class PackageWriter {
       std::string number = std::to_string(k + 1);
       if (number.size() < 3) number.insert(0, 3 - number.size(), '0');
       const std::string name = "sheets/sheet-" + number + "-" + plan_.options.unit;
-      zip_.add(name + ".dxf", write_dxf(sheets[k]));
+      zip_.add(name + ".dxf", write_dxf(sheets[k], plan_.options.unit));
       zip_.add(name + ".svg", write_svg(sheets[k], width, height, plan_.options.unit));
     }
   }

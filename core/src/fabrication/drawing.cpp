@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "planish/fabrication/drawing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -89,13 +90,33 @@ void add_layer_table(std::string& dxf, const std::vector<LayerStyle>& layers) {
   add_pair(dxf, 0, "ENDTAB");
 }
 
+/// A unit as the header has it. R12 itself has no variable for it; readers know these all the same.
+struct DxfUnit {
+  std::string_view name;
+  int insunits = 0;     ///< $INSUNITS, 0: none
+  int measurement = 1;  ///< $MEASUREMENT: 0 in inches and feet, 1 metric
+};
+constexpr std::array<DxfUnit, 6> kDxfUnits{
+    {{"mm", 4, 1}, {"cm", 5, 1}, {"m", 6, 1}, {"km", 7, 1}, {"in", 1, 0}, {"ft", 2, 0}}};
+
+void add_unit(std::string& dxf, std::string_view name) {
+  const auto* const unit = std::find_if(kDxfUnits.begin(), kDxfUnits.end(),
+                                        [&](const DxfUnit& one) { return one.name == name; });
+  if (unit == kDxfUnits.end()) return;
+  add_pair(dxf, 9, "$INSUNITS");
+  add_pair(dxf, 70, unit->insunits);
+  add_pair(dxf, 9, "$MEASUREMENT");
+  add_pair(dxf, 70, unit->measurement);
+}
+
 /// Everything before the entities.
-std::string dxf_preamble(const Drawing& drawing) {
+std::string dxf_preamble(const Drawing& drawing, std::string_view unit) {
   std::string dxf;
   add_pair(dxf, 0, "SECTION");
   add_pair(dxf, 2, "HEADER");
   add_pair(dxf, 9, "$ACADVER");
   add_pair(dxf, 1, "AC1009");
+  add_unit(dxf, unit);
   add_pair(dxf, 0, "ENDSEC");
   add_pair(dxf, 0, "SECTION");
   add_pair(dxf, 2, "TABLES");
@@ -235,8 +256,8 @@ void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion
   }
 }
 
-std::string write_dxf(const Drawing& drawing) {
-  std::string dxf = dxf_preamble(drawing);
+std::string write_dxf(const Drawing& drawing, std::string_view unit) {
+  std::string dxf = dxf_preamble(drawing, unit);
   for (const DrawnLoop& loop : drawing.loops) add_polyline(dxf, loop);
   for (const DrawnText& text : drawing.texts) add_text(dxf, text);
   add_pair(dxf, 0, "ENDSEC");

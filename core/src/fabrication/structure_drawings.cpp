@@ -307,7 +307,7 @@ StructureDrawings write_drawings(const Mesh& given, const DrawingOptions& option
     Drawing drawing = d.drawing;
     add_moved(drawing, set.notes_of(d, scale), {});
     zip.add(d.name + ".svg", paper_svg(drawing, set.millimetres / scale));
-    zip.add(d.name + "-" + options.unit + ".dxf", write_dxf(drawing));
+    zip.add(d.name + "-" + options.unit + ".dxf", write_dxf(drawing, options.unit));
   }
   result.header = JsonObject()
                       .add("format", "planish-drawings")

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planish/fabrication/flat_panel.hpp"
@@ -62,8 +63,9 @@ struct PlanarMotion {
 
 void add_moved(Drawing& drawing, const Drawing& part, const PlanarMotion& motion);
 
-/// DXF R12 (AC1009), ASCII: polylines and texts, coordinates with 6 decimals.
-[[nodiscard]] std::string write_dxf(const Drawing& drawing);
+/// DXF R12 (AC1009), ASCII: polylines and texts, coordinates with 6 decimals. The header names
+/// `unit` (mm, cm, m, km, in or ft; any other is not named).
+[[nodiscard]] std::string write_dxf(const Drawing& drawing, std::string_view unit);
 
 /// An SVG of the area from (0, 0) to (width, height), y up; `unit` is the unit of all
 /// lengths. What comes later covers what came before, where its layer is filled.
