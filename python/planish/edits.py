@@ -8,7 +8,7 @@ from typing import Any
 
 from . import _core
 from .mesh import Mesh
-from .request import request
+from .request import asked, request
 from .shape import DesignedShape, Progress
 
 
@@ -51,12 +51,27 @@ class Edit(DesignedShape):
         dimension: int,
         *,
         eigen: bool | None = None,
+        family: int | None = None,
+        fair_weight: float | None = None,
+        sparse_weight: float | None = None,
+        close_weight: float | None = None,
+        close: Iterable[int] | None = None,
+        correlation: float | None = None,
+        spread: int | None = None,
+        smooth: float | None = None,
         progress: Progress | None = None,
         **more: Any,
     ) -> Family:
-        """A family of local variations around this edit: `planish explore`."""
-        asked = request({"dimension": dimension, "eigen": eigen, **more})
-        return Family(self._core.explore(asked, progress))
+        """A family of local variations around this edit: `planish explore`.
+
+        Args:
+            eigen: from smooth to stiff; with `family` the smoothest of so many.
+            close: vertices that `close_weight` keeps still; the handles without.
+            spread: face rings around the edit that variations may move.
+            smooth: of `exact()`: higher is fairer and moves more.
+        """
+        options = asked(locals(), "self", "progress")
+        return Family(self._core.explore(request(options), progress))
 
 
 def edit(
@@ -67,6 +82,7 @@ def edit(
     cuts: Iterable[str] | None = None,
     fewest: str | int | None = None,
     split_where_needed: int | None = None,
+    within_handle: str | None = None,
     count_types: float | str | None = None,
     mirrored: bool | None = None,
     pins: Iterable[int] | None = None,
@@ -89,6 +105,7 @@ def edit(
     sparsity: str | None = None,
     solver: str | None = None,
     tolerance: float | None = None,
+    threads: int | None = None,
     progress: Progress | None = None,
     **more: Any,
 ) -> Edit:
@@ -106,6 +123,7 @@ def edit(
         fewest: "panels" or "points": few to make again, as long as the handles arrive; a number: at most so
             many panels.
         split_where_needed: at most so many panels are parted where the handles stop short.
+        within_handle: of the longest way of a handle, within which handles have arrived for these two, "5%".
         count_types: how many types of panels there are before and after, in the report: alike within a
             length in units of the mesh or a share of the mean edge, "0.5%".
         mirrored: for count_types: a panel may be its template turned over.
@@ -121,6 +139,7 @@ def edit(
             all lengths here may be.
         constraints: ["circular"] or {"circular": 1e-9}.
         reach: face rings, or a length with its unit such as "1.5m".
+        threads: of the solver "alm"; the result is the same.
         progress: called after every step; False stops with the last valid state and the status
             "cancelled".
 
@@ -128,34 +147,7 @@ def edit(
         UsageError: a handle or an option that is wrong, in the core's sentence.
         MeshError: a mesh that breaks a constraint itself.
     """
+    options = asked(locals(), "mesh", "handles", "relative", "progress")
     way = "by" if relative else "to"
-    options = {
-        "handles": [{"vertex": vertex, way: point} for vertex, point in handles.items()],
-        "cuts": cuts,
-        "fewest": fewest,
-        "split_where_needed": split_where_needed,
-        "count_types": count_types,
-        "mirrored": mirrored,
-        "pins": pins,
-        "supports": supports,
-        "continuation": continuation,
-        "symmetry": symmetry,
-        "hard": hard,
-        "bounds": bounds,
-        "keep_outs": keep_outs,
-        "clearance": clearance,
-        "constraints": constraints,
-        "locality": locality,
-        "smoothness": smoothness,
-        "softness": softness,
-        "reach": reach,
-        "keep_boundary": keep_boundary,
-        "model_unit": model_unit,
-        "attraction": attraction,
-        "fairness": fairness,
-        "sparsity": sparsity,
-        "solver": solver,
-        "tolerance": tolerance,
-        **more,
-    }
+    options["handles"] = [{"vertex": vertex, way: point} for vertex, point in handles.items()]
     return Edit(_core.edit(mesh._core, request(options), progress))

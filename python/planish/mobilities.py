@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from .errors import UsageError
 from .mesh import Mesh
-from .request import request
+from .request import asked, request
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -61,8 +61,15 @@ def mobility(
     steps: int | None = None,
     bounds: Mapping[str, Any] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
-    reach: int | str | None = None,
+    locality: float | None = None,
+    smoothness: float | None = None,
     softness: float | None = None,
+    reach: int | str | None = None,
+    keep_boundary: bool | None = None,
+    model_unit: str | None = None,
+    fairness: str | None = None,
+    sparsity: str | None = None,
+    tolerance: float | None = None,
     threads: int | None = None,
     client: Client | None = None,
     progress: Callable[[int, int], bool | None] | None = None,
@@ -80,15 +87,7 @@ def mobility(
     Raises:
         UsageError: what is wrong with an option, naming it.
     """
-    options = {
-        "range": range,
-        "steps": steps,
-        "bounds": bounds,
-        "constraints": constraints,
-        "reach": reach,
-        "softness": softness,
-        **more,
-    }
+    options = asked(locals(), "mesh", "vertices", "threads", "client", "progress")
     core = _core.Mobility(mesh._core, request({**options, "threads": threads}))
     chunks = _chunks(mesh, vertices)
     count = sum(map(len, chunks))

@@ -9,7 +9,7 @@ from typing import Any
 from . import _core
 from .mesh import Mesh
 from .report import Report
-from .request import request
+from .request import asked, request
 from .shape import Progress, Shape
 
 
@@ -29,14 +29,17 @@ def project(
     within: float | str | None = None,
     pins: Iterable[int] | None = None,
     keep_boundary: bool | None = None,
-    bounds: Mapping[str, bool | float] | Iterable[str] | None = None,
+    bounds: Mapping[str, Any] | Iterable[str] | None = None,
     constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    supports: Iterable[str] | None = None,
     split: int | str | None = None,
     move: float | str | None = None,
     types: int | None = None,
     mirrored: bool | None = None,
     fairness: str | None = None,
+    model_unit: str | None = None,
     solver: str | None = None,
+    threads: int | None = None,
     tolerance: float | None = None,
     progress: Progress | None = None,
     **more: Any,
@@ -53,31 +56,23 @@ def project(
         types: with move, the closest fit found with so many types.
         mirrored: with move, a panel may be its template turned over.
     """
-    options = {
-        "reference": None if reference is None else "reference",
-        "smooth": smooth,
-        "within": within,
-        "pins": pins,
-        "keep_boundary": keep_boundary,
-        "bounds": bounds,
-        "constraints": constraints,
-        "split": split,
-        "move": move,
-        "types": types,
-        "mirrored": mirrored,
-        "fairness": fairness,
-        "solver": solver,
-        "tolerance": tolerance,
-        **more,
-    }
+    options = asked(locals(), "mesh", "progress")
+    options["reference"] = None if reference is None else "reference"
     other = None if reference is None else reference._core
     return Projection(_core.project(mesh._core, request(options), other, progress))
 
 
-def offset(mesh: Mesh, distance: float | str, *, kind: str | None = None, **more: Any) -> Offset:
+def offset(
+    mesh: Mesh,
+    distance: float | str,
+    *,
+    model_unit: str | None = None,
+    kind: str | None = None,
+    **more: Any,
+) -> Offset:
     """The mesh at a distance: `planish offset`. Positive is outside; model units, or "25mm"."""
-    asked = request({"distance": distance, "kind": kind, **more})
-    return Offset(_core.offset(mesh._core, asked))
+    options = asked(locals(), "mesh")
+    return Offset(_core.offset(mesh._core, request(options)))
 
 
 def convert(
@@ -95,8 +90,8 @@ def convert(
         orient: neighbours agree, the outside out or up.
         join_triangles: two by two, into the quads that a program split.
     """
-    options = {"join_points": join_points, "orient": orient, "join_triangles": join_triangles}
-    return Mesh._of(_core.convert(mesh._core, request({**options, **more})))
+    options = asked(locals(), "mesh")
+    return Mesh._of(_core.convert(mesh._core, request(options)))
 
 
 def info(mesh: Mesh) -> Report:
@@ -105,7 +100,7 @@ def info(mesh: Mesh) -> Report:
 
 
 def options(command: str) -> dict[str, str]:
-    """What "edit", "explore", "project", "offset", "convert" or "types" takes: each option with what it does."""
+    """What "edit", "explore", "project", "offset", "mobility", "convert" or "types" takes, and what that does."""
     return {
         name.lstrip("-").replace("-", "_"): " ".join(help_text.split())
         for name, _, help_text in _core.options(command)

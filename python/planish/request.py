@@ -14,6 +14,16 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 
+def asked(arguments: Mapping[str, Any], *others: str) -> dict[str, Any]:
+    """The options among the arguments of a function, its locals() at its start, by their names.
+
+    Args:
+        others: arguments that are no options; what `more` holds are.
+    """
+    named = {name: value for name, value in arguments.items() if name not in (*others, "more")}
+    return {**named, **arguments["more"]}
+
+
 def request(options: Mapping[str, Any]) -> str:
     """All bits of a number go along."""
     return json.dumps({name.replace("_", "-"): _plain(value) for name, value in options.items()})

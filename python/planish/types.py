@@ -14,7 +14,7 @@ from . import _core
 from .errors import wording
 from .mesh import Mesh
 from .report import Report
-from .request import request
+from .request import asked, request
 
 
 class Types:
@@ -53,6 +53,9 @@ def types(
     within: float | str | None = None,
     mirrored: bool | None = None,
     angle: float | None = None,
+    unit: str | None = None,
+    model_unit: str | None = None,
+    tolerance: float | None = None,
     **more: Any,
 ) -> Types:
     """What of a mesh is alike: `planish types`. No point moves.
@@ -62,10 +65,12 @@ def types(
         within: how far a corner may be from its template's, or a share of the mean edge, "0.5%".
         mirrored: a panel may be its template turned over.
         angle: degrees, of nodes and bars.
-        more: unit (of all lengths here and in the report, "mm" without), model_unit ("m"), tolerance.
+        unit: of all lengths here and in the report, "mm" without.
+        model_unit: of the coordinates, "m" without.
+        tolerance: mm/m, up to which a panel is flat.
 
     Raises:
         UsageError: what is wrong with an option, naming it.
     """
-    options = {"joint": joint, "within": within, "mirrored": mirrored, "angle": angle, **more}
+    options = asked(locals(), "mesh")
     return Types(_core.Types(mesh._core, request(options)))
