@@ -6,7 +6,13 @@ import { insist } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { EditHandle, FamilyHandle, VariationHandle } from "./planish_package.mjs";
 import { once, Place } from "./pool.ts";
-import { type Bounds, type Constraints, type HandleTarget, request } from "./request.ts";
+import {
+  type Bounds,
+  type Constraints,
+  type HandleTarget,
+  type ModelUnit,
+  request,
+} from "./request.ts";
 import { type Progress, Shape } from "./shape.ts";
 
 /** Options of `planish edit`, by the same names; what is left out has the core's default. */
@@ -48,7 +54,7 @@ export interface EditOptions {
   /** Face rings, or a length with its unit such as "1.5m". */
   readonly reach?: number | string;
   readonly keepBoundary?: boolean;
-  readonly modelUnit?: "mm" | "cm" | "m" | "km" | "in" | "ft";
+  readonly modelUnit?: ModelUnit;
   readonly attraction?: number;
   readonly fairness?: "laplacian" | "second" | "third";
   readonly sparsity?: "l21" | "l2" | "none";
@@ -61,9 +67,21 @@ export interface EditOptions {
 /** Options of `planish explore` beside those of the edit. */
 export interface ExploreOptions {
   readonly dimension: number;
+  /** From smooth to stiff. */
   readonly eigen?: boolean;
+  /** With `eigen`: the smoothest of a family of so many. */
+  readonly family?: number;
+  readonly fairWeight?: number;
+  readonly sparseWeight?: number;
+  readonly closeWeight?: number;
+  /** Points that `closeWeight` keeps still; the handles without. */
+  readonly close?: readonly number[];
+  readonly correlation?: number;
+  /** Face rings around the edit that variations may move. */
+  readonly spread?: number;
+  /** Of `exact()`: higher is fairer and moves more. */
+  readonly smooth?: number;
   readonly progress?: Progress;
-  readonly [name: string]: unknown;
 }
 
 /** Something with a handle that can be made again. */

@@ -15,6 +15,6 @@ export {
   project,
 } from "./operations.ts";
 export type { BoundReport, Report, Violation } from "./report.ts";
-export type { Bounds, Constraints, HandleTarget } from "./request.ts";
+export type { Bounds, Constraints, HandleTarget, ModelUnit } from "./request.ts";
 export { type Progress, Shape } from "./shape.ts";
 export { Types, type TypesOptions, type TypesReport, types } from "./types.ts";

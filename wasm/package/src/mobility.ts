@@ -4,7 +4,7 @@ import { insist } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { MobilityHandle, MobilityValue } from "./planish_package.mjs";
 import { Place } from "./pool.ts";
-import { type Bounds, type Constraints, request } from "./request.ts";
+import { type Bounds, type Constraints, type ModelUnit, request } from "./request.ts";
 
 /** One vertex in one direction, which is of length 1; distances are in model units, folds in degrees. */
 export type MobilityRow = MobilityValue;
@@ -14,15 +14,23 @@ export interface MobilityOptions {
   /** The points to measure; all without. */
   readonly vertices?: Iterable<number>;
   /** Model units: moves are tried up to there. */
-  readonly range?: number;
+  readonly range?: number | string;
   readonly steps?: number;
   readonly bounds?: Bounds | readonly string[];
   readonly constraints?: Constraints;
-  readonly reach?: number | string;
+  readonly locality?: number;
+  readonly smoothness?: number;
+  /** 1 to 10: in place of locality and smoothness. */
   readonly softness?: number;
+  readonly reach?: number | string;
+  readonly keepBoundary?: boolean;
+  readonly modelUnit?: ModelUnit;
+  readonly fairness?: "laplacian" | "second" | "third";
+  readonly sparsity?: "l21" | "l2" | "none";
+  /** mm per m */
+  readonly tolerance?: number;
   /** Called after every few vertices; false stops, and what is there is returned. */
   readonly progress?: (done: number, total: number) => boolean | undefined;
-  readonly [name: string]: unknown;
 }
 
 /** Vertices between two calls of progress. */

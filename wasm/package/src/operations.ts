@@ -2,7 +2,7 @@
 // What is done to a whole mesh.
 import { insist } from "./error.ts";
 import { Mesh } from "./mesh.ts";
-import { type Constraints, request } from "./request.ts";
+import { type Bounds, type Constraints, type ModelUnit, request } from "./request.ts";
 import { type Progress, Shape } from "./shape.ts";
 
 /** Options of `planish project`, by the same names. */
@@ -16,9 +16,11 @@ export interface ProjectOptions {
   readonly within?: number | string;
   readonly pins?: readonly number[];
   readonly keepBoundary?: boolean;
-  /** Panels keep their shape; they may stay `flat` mm per m out of flat. */
-  readonly bounds?: { readonly shape?: boolean; readonly flat?: number } | readonly string[];
+  /** Panels keep their shape; they may stay `flat` mm per m out of flat. With `move` also `fold`. */
+  readonly bounds?: Bounds | readonly string[];
   readonly constraints?: Constraints;
+  /** What points slide on: "level=z:boundary", "outline:boundary", ... */
+  readonly supports?: readonly string[];
   /** At most so many panels, or "10%" of them, are split: the fewest that make the mesh flat. */
   readonly split?: number | string;
   /** Of a flat mesh, more panels become alike, and no point moves farther: model units, or "20%" of the
@@ -28,6 +30,7 @@ export interface ProjectOptions {
   readonly types?: number;
   /** With `move`: a panel may be its template turned over. */
   readonly mirrored?: boolean;
+  readonly modelUnit?: ModelUnit;
   readonly fairness?: "laplacian" | "second" | "third";
   readonly solver?: "newton" | "alm";
   /** mm per m */
@@ -37,9 +40,10 @@ export interface ProjectOptions {
 
 /** Options of `planish offset`. */
 export interface OffsetOptions {
-  /** Model units; positive is outside. */
-  readonly distance: number;
-  readonly kind?: string;
+  /** Model units, or with a unit, "25mm"; positive is outside. */
+  readonly distance: number | string;
+  readonly modelUnit?: ModelUnit;
+  readonly kind?: "face" | "vertex" | "parallel";
 }
 
 /** Options of `planish convert`. */

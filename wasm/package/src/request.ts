@@ -29,6 +29,9 @@ export type Constraints =
   | readonly string[]
   | { readonly circular?: number; readonly conical?: number };
 
+/** Of the coordinates. */
+export type ModelUnit = "mm" | "cm" | "m" | "km" | "in" | "ft";
+
 /** "keepBoundary" → "keep-boundary" */
 const coreName = (name: string): string =>
   name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

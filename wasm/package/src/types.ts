@@ -4,7 +4,7 @@ import { insist, wording } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { TypesHandle } from "./planish_package.mjs";
 import { Place } from "./pool.ts";
-import { request } from "./request.ts";
+import { type ModelUnit, request } from "./request.ts";
 
 /** Options of `planish types`, by the same names; lengths are in `unit`, mm without. */
 export interface TypesOptions {
@@ -16,9 +16,9 @@ export interface TypesOptions {
   readonly mirrored?: boolean;
   /** Degrees, of nodes and bars. */
   readonly angle?: number;
-  readonly unit?: string;
+  readonly unit?: ModelUnit;
   /** Of the coordinates; m without. */
-  readonly modelUnit?: string;
+  readonly modelUnit?: ModelUnit;
   /** mm per m, up to which a panel is flat. */
   readonly tolerance?: number;
 }
