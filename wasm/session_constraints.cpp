@@ -104,13 +104,22 @@ Refusal Session::set_supports(const std::vector<std::string>& texts) {
 }
 
 Refusal Session::require_engine(EditTargets& targets) const {
-  if (find_problem(options_.engine, Beyond::kContinuation)) targets.continuation = 0;
-  if (!find_engine_problem(options_, targets, symmetry_ != nullptr)) return std::nullopt;
-  if (symmetry_) return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
-  if (!targets.supports.empty()) {
+  const auto knows_no = [&](Beyond beyond) { return find_problem(options_.engine, beyond); };
+  if (knows_no(Beyond::kContinuation)) targets.continuation = 0;
+  if (symmetry_ && knows_no(Beyond::kSymmetry)) {
+    return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
+  }
+  if (!targets.supports.empty() && knows_no(Beyond::kSupports)) {
     return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
   }
-  return "The paper's engine knows no keep-outs: remove them, or choose Newton.";
+  if (!options_.keep_outs.empty() && knows_no(Beyond::kKeepOuts)) {
+    return "The paper's engine knows no keep-outs: remove them, or choose Newton.";
+  }
+  if (options_.keep_bends && knows_no(Beyond::kBends)) {
+    return "The paper's engine knows no panels that stay bent: planarise the mesh, or choose "
+           "Newton.";
+  }
+  return find_engine_problem(options_, targets, symmetry_ != nullptr);
 }
 
 /// The supports are looked at once for a base, not in every frame: that costs O(n).

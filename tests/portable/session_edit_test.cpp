@@ -172,6 +172,18 @@ TEST(SessionEdit, ThePapersEngineKnowsNoKeepOutsAndGoesAtOnce) {
   EXPECT_NE(refusal->find("knows no keep-outs"), std::string::npos) << *refusal;
 }
 
+TEST(SessionEdit, ThePapersEngineSaysThatItKnowsNoPanelsThatStayBent) {
+  Session session = open_vault();
+  HandleEditOptions paper;
+  paper.engine = Engine::kAugmentedLagrangian;
+  paper.tolerance = 25.0;
+  paper.keep_bends = true;
+  ASSERT_EQ(session.set_options(paper), std::nullopt);
+  const Refusal refusal = session.edit(EditMode::kSolve, lift(session, 0.5), 1.0);
+  ASSERT_TRUE(refusal);
+  EXPECT_NE(refusal->find("knows no panels that stay bent"), std::string::npos) << *refusal;
+}
+
 TEST(SessionEdit, LimitsHoldInEveryEditFromThereOn) {
   Session session = open_vault();
   HandleEditOptions soft;
