@@ -7,9 +7,7 @@
 #include <variant>
 
 #include "planish/io/face_groups.hpp"
-#include "planish/io/obj.hpp"
-#include "planish/io/off.hpp"
-#include "planish/io/ply.hpp"
+#include "planish/io/mesh_format.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/mesh_check.hpp"
 #include "planish/numeric/stopwatch.hpp"
@@ -25,11 +23,11 @@ namespace {
 constexpr double kDisplaySize = 10.0;
 
 /// The formats of this module; GLB is another's.
-ReadResult read_text_or_ply(std::string_view bytes, const std::string& format) {
-  if (format == "obj") return read_obj(bytes);
-  if (format == "off") return read_off(bytes);
-  if (format == "ply") return read_ply(bytes);
-  return ReadError{"Files of type ." + format + " cannot be read. Use OBJ, OFF, PLY or GLB."};
+const MeshFormatRow* plain_format(std::string_view name) {
+  const auto row =
+      std::find_if(kPlainFormats.begin(), kPlainFormats.end(),
+                   [&](const MeshFormatRow& format) { return format.extension == name; });
+  return row == kPlainFormats.end() ? nullptr : row;
 }
 
 }  // namespace
@@ -42,7 +40,9 @@ Refusal Session::open_sample(const std::string& name, int size) {
 }
 
 Refusal Session::open_file(std::string_view bytes, const std::string& format) {
-  ReadResult result = read_text_or_ply(bytes, format);
+  const MeshFormatRow* row = plain_format(format);
+  if (!row) return "Files of type ." + format + " cannot be read. Use " + all_extensions() + ".";
+  ReadResult result = row->read(bytes);
   if (const auto* error = std::get_if<ReadError>(&result)) return error->message;
   auto& file = std::get<MeshFile>(result);
   adopt(std::move(file.mesh), std::move(file.warnings));
@@ -313,10 +313,9 @@ std::vector<float> Session::display_base() const {
 }
 
 std::optional<std::string> Session::write(const std::string& format) const {
-  if (format == "obj") return write_obj(shown_mesh());
-  if (format == "off") return write_off(shown_mesh());
-  if (format == "ply") return write_ply(shown_mesh());
-  return std::nullopt;
+  const MeshFormatRow* row = plain_format(format);
+  if (!row) return std::nullopt;
+  return row->write(shown_mesh());
 }
 
 std::string Session::groups() const { return face_groups_text(base_.groups); }

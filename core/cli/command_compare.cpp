@@ -170,7 +170,7 @@ Command compare_command() {
   rows.insert(rows.end(),
               {{"--dimension", "S", "also families of variations at the result, and a projection"},
                {"--records", "", "what was measured in every outer step"},
-               kOutputRow,
+               output_row(),
                kReportRow});
   return {"compare", "METHOD MESH <edit options> [-o OUT] [--report R.json]",
           "the edit by another method (newton reference alm admm hof10 hk12 shapeup yypm11), "

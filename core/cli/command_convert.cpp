@@ -24,7 +24,7 @@ ExitCode run_convert(const Arguments& arguments) {
 
 Command convert_command() {
   std::vector<OptionRow> rows = conversion_option_rows();
-  rows.insert(rows.begin(), kOutputRow);
+  rows.insert(rows.begin(), output_row());
   return {"convert", "IN -o OUT", "another format, the same bits", rows, run_convert};
 }
 

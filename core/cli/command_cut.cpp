@@ -111,7 +111,7 @@ Command cut_command() {
   rows.insert(rows.end(), fewer.begin(), fewer.end());
   rows.insert(rows.end(),
               {{"--model-unit", "UNIT", "of the coordinates; default the design's, or m"},
-               kOutputRow,
+               output_row(),
                kReportRow,
                kDesignRow});
   return {"cut",

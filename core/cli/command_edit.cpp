@@ -24,7 +24,7 @@ ExitCode run_edit(const Arguments& arguments) {
 
 Command edit_command() {
   std::vector<OptionRow> rows = edit_command_rows();
-  rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
+  rows.insert(rows.end(), {output_row(), kReportRow, kDesignRow});
   return {"edit", "MESH --handle V=x,y,z [options] [-o OUT] [--report R.json] [--design D.json]",
           "move a few vertices; panels stay flat, the rest stays put", rows, run_edit};
 }

@@ -42,7 +42,7 @@ ExitCode run_explore(const Arguments& arguments) {
 Command explore_command() {
   std::vector<OptionRow> rows = edit_command_rows();
   for (const OptionRow& row : family_option_rows()) rows.push_back(row);
-  rows.insert(rows.end(), {kOutputRow, kReportRow, kDesignRow});
+  rows.insert(rows.end(), {output_row(), kReportRow, kDesignRow});
   return {"explore",
           "MESH <edit options> --dimension S [options] [-o OUT] [--report R.json]\n"
           "      [--design D.json]",

@@ -31,7 +31,7 @@ ExitCode run_offset(const Arguments& arguments) {
 
 Command offset_command() {
   std::vector<OptionRow> rows = offset_option_rows();
-  rows.insert(rows.end(), {kOutputRow, kReportRow});
+  rows.insert(rows.end(), {output_row(), kReportRow});
   return {"offset", "MESH --distance D [--kind KIND] [-o OUT] [--report R.json]",
           "the mesh at a distance, every edge parallel to its own", rows, run_offset};
 }

@@ -32,7 +32,7 @@ ExitCode run_project(const Arguments& arguments) {
 
 Command project_command() {
   std::vector<OptionRow> rows = projection_option_rows();
-  rows.insert(rows.end(), {kOutputRow, kReportRow});
+  rows.insert(rows.end(), {output_row(), kReportRow});
   return {"project", "MESH [--reference BASE] [options] [-o OUT] [--report R.json]",
           "make every panel flat, close by and fair", rows, run_project};
 }

@@ -48,7 +48,7 @@ Command replay_command() {
           "do a design again and compare with its recorded result; exit 4 if it differs by more "
           "than rounding",
           {{"--base", "MESH", "the base mesh, where the design does not hold it"},
-           kOutputRow,
+           output_row(),
            kReportRow,
            kDesignRow},
           run_replay};

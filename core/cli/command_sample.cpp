@@ -30,7 +30,7 @@ Command sample_command() {
   return {"sample",
           "NAME [--size N] -o OUT",
           "a mesh to try: roof vault dome freeform hex trihex",
-          {{"--size", "N", "about N × N vertices, 3 … 2000, default 32"}, kOutputRow},
+          {{"--size", "N", "about N × N vertices, 3 … 2000, default 32"}, output_row()},
           run_sample};
 }
 

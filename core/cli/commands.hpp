@@ -35,8 +35,7 @@ struct Command {
 [[nodiscard]] Command gather_command();
 
 /// Rows that several commands share.
-inline constexpr OptionRow kOutputRow = {"-o", "OUT",
-                                         "where the mesh goes (.obj .off .ply .glb, -)"};
+[[nodiscard]] OptionRow output_row();
 inline constexpr OptionRow kReportRow = {"--report", "R.json", "where the JSON report goes (or -)"};
 
 inline constexpr OptionRow kDesignRow = {"--design", "D.json",

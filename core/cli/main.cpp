@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "planish/io/mesh_format.hpp"
 #include "terminal.hpp"
 
 namespace planish::cli {
@@ -26,7 +27,8 @@ void print_overview() {
     std::cout << "  planish " << command.name << ' ' << command.usage << "\n      "
               << command.summary << '\n';
   }
-  std::cout << "\nMeshes: .obj .off .ply .glb by extension; - is standard input or output (OBJ);\n"
+  std::cout << "\nMeshes: " << all_extensions(".", " ", " ")
+            << " by extension; - is standard input or output (OBJ);\n"
                "sample:NAME:SIZE is a sample.\n"
                "Vertices count from 0. Exit: 0 done, 2 wrong usage, 3 unreadable or invalid mesh,\n"
                "4 finished without meeting the tolerance. Options: planish COMMAND --help. "
@@ -72,6 +74,12 @@ ExitCode run(std::span<const std::string_view> words) {
 }
 
 }  // namespace
+
+OptionRow output_row() {
+  static const std::string help = "where the mesh goes (" + all_extensions(".", " ", " ") + ", -)";
+  return {"-o", "OUT", help};
+}
+
 }  // namespace planish::cli
 
 int main(int argument_count, char** arguments) {

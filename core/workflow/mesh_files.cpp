@@ -29,7 +29,7 @@ MeshFormat format_of(const std::string& path) {
   if (path == "-") return MeshFormat::kObj;
   if (const auto format = format_from_name(path)) return *format;
   const bool design = path.ends_with(".json");
-  throw UsageError(path + ": the extension must be .obj, .off, .ply or .glb" +
+  throw UsageError(path + ": the extension must be " + all_extensions() +
                    (design ? "; planish replay opens designs" : ""));
 }
 
@@ -65,8 +65,9 @@ FileSource file_source(const std::string& path, const Mesh& mesh, std::string by
   const MeshFormat format = format_of(path);
   FileSource source;
   source.name = path == "-" ? "mesh.obj" : as_utf8(fs::path(path).filename().string());
-  source.format = format == MeshFormat::kPly ? "ply" : format == MeshFormat::kOff ? "off" : "obj";
-  source.bytes = format == MeshFormat::kGlb ? write_mesh(mesh, MeshFormat::kObj) : std::move(bytes);
+  const bool glb = format == MeshFormat::kGlb;
+  source.format = planish::extension_of(glb ? MeshFormat::kObj : format);
+  source.bytes = glb ? write_mesh(mesh, MeshFormat::kObj) : std::move(bytes);
   return source;
 }
 

@@ -66,7 +66,7 @@ std::variant<Mesh, std::string> source_mesh(const DesignSource& source, const Me
     return "the design needs its mesh " + (file.name.empty() ? "" : file.name + " ") + "beside it";
   }
   const auto format = format_from_name("." + file.format);
-  if (!format) return "source.format must be obj, off, ply or glb";
+  if (!format) return "source.format must be " + all_extensions("");
   ReadResult read = read_mesh(file.bytes, *format);
   if (auto* error = std::get_if<ReadError>(&read)) return std::move(error->message);
   return std::move(std::get<MeshFile>(read).mesh);

@@ -1,54 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "planish/io/mesh_format.hpp"
 
-#include <algorithm>
-
 #include "planish/io/gltf.hpp"
-#include "planish/io/obj.hpp"
-#include "planish/io/off.hpp"
-#include "planish/io/ply.hpp"
 
 namespace planish {
+namespace {
+
+constexpr MeshFormatRow kGlbRow{"glb", read_glb, [](const Mesh& mesh) { return write_glb(mesh); }};
+
+const MeshFormatRow& row_of(MeshFormat format) {
+  const auto k = static_cast<std::size_t>(format);
+  return k == 0 ? kGlbRow : kPlainFormats[k - 1];
+}
+
+}  // namespace
 
 std::optional<MeshFormat> format_from_name(std::string_view name) {
-  if (name.size() < 4) return std::nullopt;
-  std::string extension(name.substr(name.size() - 4));
+  const std::size_t point = name.find_last_of('.');
+  if (point == std::string_view::npos) return std::nullopt;
+  std::string extension(name.substr(point + 1));
   for (char& c : extension) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  if (extension == ".obj") return MeshFormat::kObj;
-  if (extension == ".off") return MeshFormat::kOff;
-  if (extension == ".ply") return MeshFormat::kPly;
-  if (extension == ".glb") return MeshFormat::kGlb;
+  for (std::size_t k = 0; k <= kPlainFormats.size(); ++k) {
+    const auto format = static_cast<MeshFormat>(k);
+    if (row_of(format).extension == extension) return format;
+  }
   return std::nullopt;
 }
 
-ReadResult read_mesh(std::string_view bytes, MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return read_obj(bytes);
-    case MeshFormat::kOff:
-      return read_off(bytes);
-    case MeshFormat::kPly:
-      return read_ply(bytes);
-    case MeshFormat::kGlb:
-      return read_glb(bytes);
+std::string_view extension_of(MeshFormat format) { return row_of(format).extension; }
+
+std::string all_extensions(std::string_view point, std::string_view between,
+                           std::string_view last) {
+  std::string text;
+  for (const MeshFormatRow& row : kPlainFormats) {
+    text.append(text.empty() ? "" : between).append(point).append(row.extension);
   }
-  return ReadError{"the format is not known"};
+  return text.append(last).append(point).append(kGlbRow.extension);
 }
 
-std::string write_mesh(const Mesh& mesh, MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kObj:
-      return write_obj(mesh);
-    case MeshFormat::kOff:
-      return write_off(mesh);
-    case MeshFormat::kPly:
-      return write_ply(mesh);
-    case MeshFormat::kGlb:
-      return write_glb(mesh);
-  }
-  return "";
+ReadResult read_mesh(std::string_view bytes, MeshFormat format) {
+  return row_of(format).read(bytes);
 }
+
+std::string write_mesh(const Mesh& mesh, MeshFormat format) { return row_of(format).write(mesh); }
 
 }  // namespace planish

@@ -1,20 +1,50 @@
 // SPDX-License-Identifier: MIT
-/// The mesh formats behind one door, chosen by the file's name.
+/// The mesh formats behind one door, chosen by the file's name. The table is all that knows which
+/// there are: a new one is a row.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "planish/io/obj.hpp"
+#include "planish/io/off.hpp"
+#include "planish/io/ply.hpp"
 #include "planish/mesh/mesh.hpp"
 #include "planish/mesh/read_result.hpp"
 
 namespace planish {
 
-enum class MeshFormat { kObj, kOff, kPly, kGlb };
+/// How a format is called and what it is read and written by.
+struct MeshFormatRow {
+  std::string_view extension;  ///< of its files, lower case; its name in designs
+  ReadResult (*read)(std::string_view bytes);
+  std::string (*write)(const Mesh& mesh);
+};
+
+/// All but GLB, which needs a library: they are what the page's solver reads and writes itself.
+inline constexpr std::array kPlainFormats = {
+    MeshFormatRow{"obj", read_obj, write_obj},
+    MeshFormatRow{"off", read_off, write_off},
+    MeshFormatRow{"ply", read_ply, [](const Mesh& mesh) { return write_ply(mesh); }},
+};
+
+/// GLB, then the rows of kPlainFormats. Those that code names; the table may have more.
+enum class MeshFormat : std::uint8_t { kGlb, kObj, kOff, kPly };
 
 /// The format by the extension .obj, .off, .ply or .glb, in any case; nullopt for any other name.
 [[nodiscard]] std::optional<MeshFormat> format_from_name(std::string_view name);
+
+/// "obj", "off", "ply" or "glb".
+[[nodiscard]] std::string_view extension_of(MeshFormat format);
+
+/// All extensions for a sentence, ".obj, .off, .ply or .glb".
+/// @param point what each begins with; @param last what the last is preceded by
+[[nodiscard]] std::string all_extensions(std::string_view point = ".",
+                                         std::string_view between = ", ",
+                                         std::string_view last = " or ");
 
 /// read_obj(), read_off(), read_ply() or read_glb().
 [[nodiscard]] ReadResult read_mesh(std::string_view bytes, MeshFormat format);
