@@ -41,8 +41,10 @@ val option_value(double number) { return val(number); }
 val option_value(int number) { return val(number); }
 val option_value(bool flag) { return val(flag); }
 val option_value(const std::vector<KeptConstraint>& list) { return list_of(list, constraint_text); }
-val option_value(const std::vector<StatedLimit>& list) { return list_of(list, stated_limit_text); }
-val option_value(const std::vector<KeepOut>& list) { return list_of(list, keep_out_text); }
+template <class Item>
+val option_value(const std::vector<Item>& list) {
+  return list_of(list, &TextItem<Item>::text);
+}
 template <class Value>
 val option_value(Value word) {
   return val(std::string(word_of(word, words_for(word))));
@@ -60,11 +62,9 @@ void take(const val& given, bool& value) { value = given.as<bool>(); }
 void take(const val& given, std::vector<KeptConstraint>& value) {
   value = items_of(given, &read_constraint);
 }
-void take(const val& given, std::vector<StatedLimit>& value) {
-  value = items_of(given, &read_limit);
-}
-void take(const val& given, std::vector<KeepOut>& value) {
-  value = items_of(given, &read_keep_out);
+template <class Item>
+void take(const val& given, std::vector<Item>& value) {
+  value = items_of(given, &read_item<Item>);
 }
 template <class Value>
 void take(const val& given, Value& value) {

@@ -69,11 +69,8 @@ struct FewestFound {
   std::vector<StatedLimit> limits;  ///< those of the edit, with those found needed
 };
 
-// As --constraint, --bound and --keep-out say it. What cannot be read breaks a rule of
-// find_problem().
+/// As --constraint says it. What cannot be read breaks a rule of find_problem().
 [[nodiscard]] KeptConstraint read_constraint(std::string_view text);
-[[nodiscard]] StatedLimit read_limit(std::string_view text);
-[[nodiscard]] KeepOut read_keep_out(std::string_view text);
 
 class Session {
  public:

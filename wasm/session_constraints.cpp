@@ -2,7 +2,6 @@
 /// What holds the points of a session's mesh: kinds beside planarity, stated limits, supports; and
 /// how an opened mesh comes to keep them.
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -18,15 +17,6 @@ KeptConstraint read_constraint(std::string_view text) {
   const std::optional<double> tolerance =
       own ? own_tolerance(kind).value_or(1.0) : parse_number(text.substr(colon + 1));
   return {std::string(kind), tolerance.value_or(0.0)};
-}
-
-StatedLimit read_limit(std::string_view text) {
-  return parse_stated_limit(text).value_or(StatedLimit{.name = std::string(text)});
-}
-
-KeepOut read_keep_out(std::string_view text) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  return parse_keep_out(text).value_or(KeepOut{KeepOut::Kind::kBelow, {kNone}});
 }
 
 Refusal Session::planarise(const Planarising& how) {

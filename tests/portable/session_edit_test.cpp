@@ -195,7 +195,7 @@ TEST(SessionEdit, LimitsHoldInEveryEditFromThereOn) {
   ASSERT_GT(sharpest_fold_of(session), 20.1);
   EXPECT_TRUE(session.shape_report().solve.bounds.empty());
   HandleEditOptions limited = soft;
-  limited.bounds = {read_limit("fold=20"), read_limit("angle=45:135")};
+  limited.bounds = {read_item<StatedLimit>("fold=20"), read_item<StatedLimit>("angle=45:135")};
   ASSERT_EQ(session.set_options(limited), std::nullopt);
   for (int frame = 1; frame <= 8; ++frame) {
     ASSERT_EQ(session.edit(EditMode::kDrag, lift(session, 0.1 * frame), 10.0), std::nullopt);
@@ -227,7 +227,7 @@ TEST(SessionEdit, LimitsThatCannotBeAreRefusedInWordsAndVariationsKeepTheOthers)
     return refusal && refusal->find(words) != std::string::npos;
   };
   const auto limit = [&](const char* text) {
-    return session.set_options({.bounds = {read_limit(text)}});
+    return session.set_options({.bounds = {read_item<StatedLimit>(text)}});
   };
   EXPECT_TRUE(says(limit("flat=20"), "one of fold=MAX"));
   EXPECT_TRUE(says(limit("angle=120:60"), "must be less than the second"));

@@ -24,10 +24,8 @@ constexpr std::size_t kLongestText = std::size_t{256} << 20;
 constexpr int kDeepest = 8;
 constexpr std::size_t kMostHandles = 100'000, kMostPins = 10'000'000, kMostVariations = 32,
                       kMostCoefficients = 64, kMostProbes = 64, kMostConstraints = 16,
-                      kMostBounds = 16, kMostKeepOuts = 64, kMostSupports = 1000,
-                      kMostElements = 16, kMostCuts = 10'000, kLongestName = 400,
-                      kLongestSupport = 10'000'000, kLongestKeepOut = 10'000'000,
-                      kLongestCut = 10'000'000;
+                      kMostSupports = 1000, kMostElements = 16, kMostCuts = 10'000,
+                      kLongestName = 400, kLongestSupport = 10'000'000, kLongestCut = 10'000'000;
 
 /// Ends the reading; caught in read_design().
 struct Refused {
@@ -177,24 +175,15 @@ std::vector<KeptConstraint> read_constraints(const Field& field) {
   return constraints;
 }
 
-std::vector<StatedLimit> read_bounds(const Field& field) {
-  std::vector<StatedLimit> bounds;
-  for (std::size_t k = 0; k < field.size(kMostBounds); ++k) {
-    const auto limit = parse_stated_limit(field[k].text(kLongestName));
-    if (!limit) field[k].refuse("one of " + known_limits());
-    bounds.push_back(*limit);
+template <class Item>
+std::vector<Item> read_value(const Field& field, const std::vector<Item>&) {
+  std::vector<Item> items;
+  for (std::size_t k = 0; k < field.size(TextItem<Item>::kMost); ++k) {
+    auto item = TextItem<Item>::parse(field[k].text(TextItem<Item>::kLongest));
+    if (!item) field[k].refuse("one of " + TextItem<Item>::known());
+    items.push_back(std::move(*item));
   }
-  return bounds;
-}
-
-std::vector<KeepOut> read_value(const Field& field, const std::vector<KeepOut>&) {
-  std::vector<KeepOut> keep_outs;
-  for (std::size_t k = 0; k < field.size(kMostKeepOuts); ++k) {
-    auto keep_out = parse_keep_out(field[k].text(kLongestKeepOut));
-    if (!keep_out) field[k].refuse("one of " + std::string(known_keep_outs()));
-    keep_outs.push_back(std::move(*keep_out));
-  }
-  return keep_outs;
+  return items;
 }
 
 double read_value(const Field& field, double) { return field.number(); }
@@ -202,9 +191,6 @@ bool read_value(const Field& field, bool) { return field.boolean(); }
 int read_value(const Field& field, int) { return field.whole(0); }
 std::vector<KeptConstraint> read_value(const Field& field, const std::vector<KeptConstraint>&) {
   return read_constraints(field);
-}
-std::vector<StatedLimit> read_value(const Field& field, const std::vector<StatedLimit>&) {
-  return read_bounds(field);
 }
 template <class Value>
 Value read_value(const Field& field, Value usual) {

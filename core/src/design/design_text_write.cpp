@@ -48,14 +48,10 @@ Json value_json(const std::vector<KeptConstraint>& constraints) {
   }
   return json;
 }
-Json value_json(const std::vector<StatedLimit>& limits) {
+template <class Item>
+Json value_json(const std::vector<Item>& items) {
   Json json = Json::array();
-  for (const StatedLimit& limit : limits) json.push_back(stated_limit_text(limit));
-  return json;
-}
-Json value_json(const std::vector<KeepOut>& keep_outs) {
-  Json json = Json::array();
-  for (const KeepOut& keep_out : keep_outs) json.push_back(keep_out_text(keep_out));
+  for (const Item& item : items) json.push_back(TextItem<Item>::text(item));
   return json;
 }
 template <class Value>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planish/text/refusal.hpp"
+#include "planish/text/text_item.hpp"
 
 namespace planish {
 
@@ -41,5 +42,16 @@ void add_unstated(std::vector<StatedLimit>& limits, const std::vector<StatedLimi
 
 /// The names and forms of all limits, for messages.
 [[nodiscard]] std::string known_limits();
+
+template <>
+struct TextItem<StatedLimit> {
+  static constexpr std::size_t kMost = 16, kLongest = 400;
+  static std::optional<StatedLimit> parse(std::string_view text) {
+    return parse_stated_limit(text);
+  }
+  static std::string text(const StatedLimit& limit) { return stated_limit_text(limit); }
+  static std::string known() { return known_limits(); }
+  static StatedLimit unread(std::string_view text) { return {.name = std::string(text)}; }
+};
 
 }  // namespace planish

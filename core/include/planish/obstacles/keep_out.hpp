@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 
 #include "planish/obstacles/context_mesh.hpp"
 #include "planish/text/refusal.hpp"
+#include "planish/text/text_item.hpp"
 
 namespace planish {
 
@@ -79,5 +81,16 @@ struct FreeSpace {
 /// What keep-outs that break no rule leave free.
 /// @param clearance ≥ 0 from each of them, model units
 [[nodiscard]] FreeSpace free_space(const std::vector<KeepOut>& keep_outs, double clearance);
+
+template <>
+struct TextItem<KeepOut> {
+  static constexpr std::size_t kMost = 64, kLongest = 10'000'000;
+  static std::optional<KeepOut> parse(std::string_view text) { return parse_keep_out(text); }
+  static std::string text(const KeepOut& keep_out) { return keep_out_text(keep_out); }
+  static std::string known() { return std::string(known_keep_outs()); }
+  static KeepOut unread(std::string_view) {
+    return {KeepOut::Kind::kBelow, {std::numeric_limits<double>::quiet_NaN()}};
+  }
+};
 
 }  // namespace planish
