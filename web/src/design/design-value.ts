@@ -5,6 +5,7 @@
 import { crc32 } from "../bytes/crc32.ts";
 import { isUnit } from "../quantity/units.ts";
 import { type Result, refuse } from "../result/result.ts";
+import { namesOfFormats } from "../solver/file-formats.ts";
 import type { DesignReading, DesignValue, Source } from "../solver/protocol.ts";
 import type { HandleRow } from "./design.ts";
 import { toTargets } from "./design.ts";
@@ -64,7 +65,7 @@ function whatIsUnknown(design: Read): string | null {
   if (other >= 0)
     return `variations[${other}] is one that only the command line can show: not exact, or about other points.`;
   if ("bytes" in source && source.bytes.length > 0 && !readFormat(source.format))
-    return "source.format must be obj, off, ply or glb.";
+    return `source.format must be ${namesOfFormats().toLowerCase()}.`;
   return null;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a stranger's JSON may say. Every reader gives a value of the right kind or null.
-import { FILE_FORMATS, type FileFormat } from "../solver/protocol.ts";
+import { FILE_FORMATS, type FileFormat } from "../solver/file-formats.ts";
 import type { Camera } from "./camera.ts";
 
 export const LONGEST_NAME = 1_000;

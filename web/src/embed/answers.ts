@@ -11,10 +11,11 @@ import type {
 import { bytesOf } from "../export/exporting.ts";
 import { isUnit } from "../quantity/units.ts";
 import { done, GIVEN_UP, type Result } from "../result/result.ts";
+import { FILE_FORMATS } from "../solver/file-formats.ts";
 import { openFile } from "../state/files.ts";
 import type { Page } from "../state/page.ts";
 
-const KINDS: readonly ExportKind[] = ["obj", "off", "ply", "glb", "json", "png"];
+const KINDS: readonly ExportKind[] = [...FILE_FORMATS, "json", "png"];
 
 /** Shows and takes what the host wants of the page; a unit that is none leaves it as it is. */
 export function setLook(page: Page, { readonly, unit: wanted }: EditorLook): null {

@@ -2,7 +2,8 @@
 
 import { done, type Result, refuse } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
-import type { DesignValue, FileFormat } from "../solver/protocol.ts";
+import type { FileFormat } from "../solver/file-formats.ts";
+import type { DesignValue } from "../solver/protocol.ts";
 import { readCamera } from "../state/camera.ts";
 import { run } from "../state/connection.ts";
 import { changedGroups } from "../state/kept-groups.ts";
@@ -44,7 +45,7 @@ async function glbFile(page: Page): Promise<Result<Question>> {
 }
 
 /** What writes a mesh. OBJ names groups of panels: those of the file, as it has them, unless changed. */
-async function meshFile(page: Page, format: "obj" | "off" | "ply"): Promise<Result<Question>> {
+async function meshFile(page: Page, format: Exclude<FileFormat, "glb">): Promise<Result<Question>> {
   const changed = changedGroups(page);
   if (!changed) return done({ kind: "export", format, design: null, groups: null });
   const part = await loadPart(() => import("../design/face-runs.ts"));

@@ -7,10 +7,10 @@ import { makeAlike } from "./alike.ts";
 import { DesignAnalysis, type ShapeFamily } from "./analysis.ts";
 import { DesignFiles } from "./design-files.ts";
 import { type Edited, Edits } from "./edits.ts";
+import type { FileFormat } from "./file-formats.ts";
 import { openedBuffers, readMesh } from "./opened-mesh.ts";
 import type {
   AlsoMeasured,
-  FileFormat,
   Reply,
   Request,
   Shape,

@@ -31,6 +31,7 @@ import type {
   SoughtLimits,
   Targets,
 } from "./edit-asked.ts";
+import type { FileFormat } from "./file-formats.ts";
 
 export type {
   CutTrial,
@@ -66,9 +67,6 @@ export type {
 } from "@wasm/planish_documents.mjs";
 export type * from "./edit-asked.ts";
 
-/** Of meshes that the core reads, as names of files end. */
-export const FILE_FORMATS = ["obj", "off", "ply", "glb"] as const;
-export type FileFormat = (typeof FILE_FORMATS)[number];
 /** Under which edits of a mesh have images, and how flat its evened base has to be, mm/m. */
 export interface Symmetry {
   readonly elements: readonly string[];

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Files come in pieces, so that progress can be shown; a copy that the page keeps is checked.
+
 import { crc32 } from "../bytes/crc32.ts";
-import type { FileFormat, Source } from "./protocol.ts";
+import type { FileFormat } from "./file-formats.ts";
+import type { Source } from "./protocol.ts";
 
 type FileSource = Extract<Source, { kind: "file" }>;
 export type OnPiece = (done: number, total: number) => void;

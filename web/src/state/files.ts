@@ -9,13 +9,8 @@ import { symmetryIn } from "../design/symmetry.ts";
 import type { Unit } from "../quantity/units.ts";
 import { done, type Refusal, type Result, refuse } from "../result/result.ts";
 import type { Context } from "../rhino/context.ts";
-import {
-  type DesignReading,
-  FILE_FORMATS,
-  type OpenedMesh,
-  type Source,
-  type StoredDesign,
-} from "../solver/protocol.ts";
+import { FILE_FORMATS, namesOfFormats } from "../solver/file-formats.ts";
+import type { DesignReading, OpenedMesh, Source, StoredDesign } from "../solver/protocol.ts";
 import { baseOf, openQuestion, run } from "./connection.ts";
 import { readText } from "./design-text.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
@@ -172,7 +167,7 @@ async function openNow(page: Page, file: File): Outcome {
   const format = FILE_FORMATS.find((f) => f === extension);
   if (!format)
     return refuse(
-      `${name} cannot be read. Use an OBJ, OFF, PLY, GLB or 3DM file, or a design (JSON).`,
+      `${name} cannot be read. Use an ${namesOfFormats("3dm")} file, or a design (JSON).`,
     );
   const question = { kind: "read", file, name, format } as const;
   const answer = await run(page, `reading ${name}`, question, "opened");

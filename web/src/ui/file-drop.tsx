@@ -2,6 +2,7 @@
 
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { namesOfFormats } from "../solver/file-formats.ts";
 import { usePage } from "./page-context.ts";
 import { openGiven } from "./pick-file.ts";
 
@@ -30,7 +31,7 @@ export function FileDrop({ children }: { children: ComponentChildren }) {
     >
       {children}
       {over.value && (
-        <div class="drop-note">Drop an OBJ, OFF, PLY, GLB or 3DM file, or a design (JSON)</div>
+        <div class="drop-note">{`Drop an ${namesOfFormats("3dm")} file, or a design (JSON)`}</div>
       )}
     </div>
   );

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+import { filesOfFormats } from "../solver/file-formats.ts";
 import { fetchPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
 
@@ -22,6 +23,6 @@ export async function openGiven(page: Page, file: File): Promise<void> {
 }
 
 export async function pickAndOpen(page: Page): Promise<void> {
-  const file = await pickFile(".obj,.off,.ply,.glb,.3dm,.json");
+  const file = await pickFile(filesOfFormats("3dm", "json"));
   if (file) await openGiven(page, file);
 }

@@ -5,7 +5,8 @@
 
 import { crc32 } from "../../bytes/crc32.ts";
 import type { Unit } from "../../quantity/units.ts";
-import type { FileFormat, Planarising, Shape, ShapeReport, Source } from "../../solver/protocol.ts";
+import type { FileFormat } from "../../solver/file-formats.ts";
+import type { Planarising, Shape, ShapeReport, Source } from "../../solver/protocol.ts";
 import { type Design, type Family, NO_REPORT, type Variation } from "../design.ts";
 import { readGroups } from "../groups.ts";
 import { NEAREST_FLAT } from "../planarising.ts";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keys of the page in Help: which they are, the table of commands says.
 
+import { namesOfFormats } from "../../solver/file-formats.ts";
 import type { Command } from "../../ui/commands/command.ts";
 import { COMMANDS, type CommandId } from "../../ui/commands/commands.ts";
 import { usePage } from "../../ui/page-context.ts";
@@ -50,7 +51,7 @@ export const KEY_HINTS: readonly KeyHint[] = [
   { of: ["undo", "redo"], what: "undo, redo" },
   {
     of: ["open"],
-    what: "opens a mesh (OBJ, OFF, PLY, GLB, 3DM) or a design (GLB, 3DM, JSON)",
+    what: `opens a mesh (${namesOfFormats("3dm")}) or a design (GLB, 3DM, JSON)`,
   },
   { of: ["save"], what: "saves the design as a file that opens again (JSON)" },
 ];

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where nothing of an edit may go: below a level, above one, beyond a plane, into a box, through the
 // structure itself.
+
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { filesOfFormats, namesOfFormats } from "../../solver/file-formats.ts";
 import "../../ui/keep-outs.css";
 import type { KeepOut, KeepOutKind } from "../../design/keep-outs.ts";
 import { counted } from "../../quantity/counted.ts";
@@ -185,7 +187,7 @@ function Row({ place }: { place: number }) {
 }
 
 async function pickModel(page: Page): Promise<void> {
-  const file = await pickFile(".obj,.off,.ply,.glb");
+  const file = await pickFile(filesOfFormats());
   if (file) await addModel(page, file);
 }
 
@@ -211,7 +213,7 @@ function Add() {
       <button
         type="button"
         class="tool"
-        title="From an OBJ, OFF, PLY or GLB file: no panel goes through one of its own"
+        title={`From an ${namesOfFormats()} file: no panel goes through one of its own`}
         aria-label="Nothing may be through a model"
         disabled={!page.ready.value}
         onClick={() => void pickModel(page)}

@@ -17,7 +17,7 @@ import {
 import { extentOf } from "../../mesh/extent.ts";
 import { niceStep } from "../../quantity/units.ts";
 import { refuse } from "../../result/result.ts";
-import { FILE_FORMATS } from "../../solver/protocol.ts";
+import { FILE_FORMATS, namesOfFormats } from "../../solver/file-formats.ts";
 import { run } from "../../state/connection.ts";
 import { commitSettings, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
@@ -75,7 +75,7 @@ export async function addModel(page: Page, file: File): Outcome {
   const read = await inTurn(page, async () =>
     question
       ? run(page, `reading ${name}`, question, "readModel")
-      : refuse(`${name} cannot be read. Use an OBJ, OFF, PLY or GLB file.`),
+      : refuse(`${name} cannot be read. Use an ${namesOfFormats()} file.`),
   );
   if (!read?.ok) return read;
   const one = keepOutOf(read.value.model);
