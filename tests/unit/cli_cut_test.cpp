@@ -75,7 +75,7 @@ TEST_F(Cli, SaysWhyACutCannotBeMade) {
        "\"split=0:0\" is not of the form split=F:A,B (A and B: a corner V, or V-W@T on a side)"},
       {"cut m.obj --strip 0-1@2 -o o.obj",
        "strip=0-1@2: the share T must be above 0 and below 1, by a millionth at least"},
-      {"cut m.obj --corner 0:0 -o o.stl", "o.stl: the extension must be .obj, .off, .ply or .glb"},
+      {"cut m.obj --corner 0:0 -o o.stl", "o.stl: the extension must be " + all_extensions()},
       {"cut --corner 0:0 -o o.obj", "MESH or DESIGN is missing"}};
   for (const auto& [words, sentence] : cases) {
     EXPECT_EQ(run(words), 2) << words;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The kind of docs/extending.md, registered by one line in the build for sanitizers: an edit keeps
 /// it with either engine, and what it promises is measured without its code.
-#ifdef PLANISH_EXAMPLE_KIND
+#ifdef PLANISH_EXAMPLES
 
 #include <gtest/gtest.h>
 

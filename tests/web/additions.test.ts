@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// In how many places by hand a kind, an option or a format is added: tests/additions names them one by
+// one. The build for sanitizers makes those of C++ in copies and runs them (tests/unit/additions_test.cpp,
+// example_kind_test.cpp); the others are made here.
+import { readFileSync } from "node:fs";
+import { expect, it } from "vitest";
+import additions from "../additions/additions.json" with { type: "json" };
+
+interface Edit {
+  readonly find: string;
+  readonly put: string;
+}
+interface Place {
+  readonly new?: string;
+  readonly file?: string;
+  readonly edits?: readonly Edit[];
+}
+type Addition = keyof typeof additions;
+
+const read = (path: string): string =>
+  readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
+const placesOf = (name: Addition): readonly Place[] => additions[name].places;
+
+/** `path` with what `name` adds to it. */
+function added(name: Addition, path: string): string {
+  let text = read(path);
+  for (const { file, edits = [] } of placesOf(name))
+    if (file === path) for (const { find, put } of edits) text = text.replace(find, () => put);
+  return text;
+}
+
+const PLACES: readonly (readonly [Addition, number])[] = [
+  ["kind", 2],
+  // One more than asked for: a typed member of the npm package and a typed keyword of Python beside the core's four.
+  ["number option", 6],
+  ["list option", 8],
+  // Far from one: the core has one row beside the reader; each of the others is held to it by tests/parity/formats.test.ts.
+  ["format", 8],
+];
+
+it.each(PLACES)("a %s is added in %i places", (name, count) => {
+  expect(placesOf(name)).toHaveLength(count);
+  for (const { new: own, file, edits } of placesOf(name)) {
+    if (own) expect(read(own).length).toBeGreaterThan(0);
+    for (const { find } of edits ?? [])
+      expect(read(file ?? "").split(find), `${file}: ${find}`).toHaveLength(2);
+  }
+});
+
+it("what the page and programs are told of options is said in these places", () => {
+  for (const [name, key, keyword] of [
+    ["number option", "exampleNumber", "example_number"],
+    ["list option", "exampleItems", "example_items"],
+  ] as const) {
+    const member = new RegExp(`interface EditOptions \\{(?:(?!\\n\\}).)*\\b${key}\\b`, "s");
+    for (const file of ["wasm/planish_designs.d.ts", "wasm/package/src/edit.ts"]) {
+      expect(read(file)).not.toMatch(member);
+      expect(added(name, file)).toMatch(member);
+    }
+    const signature = new RegExp(`^def edit\\((?:(?!\\) -> ).)*\\n {4}${keyword}: `, "ms");
+    expect(added(name, "python/planish/edits.py")).toMatch(signature);
+  }
+});
