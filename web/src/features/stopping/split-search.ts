@@ -3,17 +3,17 @@
 // stays as it is until one of the findings is taken.
 
 import { signal } from "@preact/signals";
-import { type Design, toTargets } from "../../design/design.ts";
+import { type Design, type HandleRow, toTargets } from "../../design/design.ts";
+import { facesAt } from "../../mesh/reach.ts";
 import { counted } from "../../quantity/counted.ts";
 import type { SplitStanding } from "../../solver/protocol.ts";
 import { GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
-import { commitEdit } from "../../state/editing.ts";
+import { commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { openBase, restorePresent } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
 import { beyond, wanted } from "../../state/wanted.ts";
-import { uncutStanding } from "./uncut-standing.ts";
 
 /** Lines through panels at most. */
 const MOST = 4;
@@ -43,6 +43,31 @@ const withStanding = ({ asked, standings }: Curve, standing: SplitStanding): Cur
   asked,
   standings: [...standings.filter(({ lines }) => lines < standing.lines), standing],
 });
+
+/** What no line gives, by the design that stopped: there while the first edits are still being solved. Null where its
+ * folds were not measured. */
+function uncutStanding(
+  page: Page,
+  design: Design,
+  asked: readonly HandleRow[],
+): SplitStanding | null {
+  const mesh = page.mesh.value;
+  const fold = design.report.sharpestFold;
+  if (!mesh || !fold) return null;
+  const short = asked.map(({ vertex, target }) => {
+    const at = shownPoint(page, vertex, design.shape);
+    return Math.hypot(...target.map((x, axis) => x - (at[axis] ?? 0)));
+  });
+  return {
+    lines: 0,
+    cuts: [],
+    handleError: Math.max(0, ...short),
+    movedVertices: design.report.movedVertices,
+    // Panels with a moved corner.
+    remadePanels: new Set(Array.from(design.shape.moved).flatMap((v) => facesAt(mesh, v))).size,
+    sharpestFold: fold.after,
+  };
+}
 
 const searches = kept((page) => ({
   now: signal<Search | null>(null),
