@@ -4,10 +4,11 @@
 
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { filesOfFormats, namesOfFormats } from "../../solver/file-formats.ts";
-import "../../ui/keep-outs.css";
+import "../../ui/keep-out-rows.css";
+import "./keep-outs.css";
 import type { KeepOut, KeepOutKind } from "../../design/keep-outs.ts";
 import { counted } from "../../quantity/counted.ts";
+import { filesOfFormats, namesOfFormats } from "../../solver/file-formats.ts";
 import type { Page } from "../../state/page.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { Icon } from "../../ui/icon.tsx";

@@ -4,7 +4,8 @@
 import { LimitField } from "../../ui/limit-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { findMirrors, mirrors, mostImages, noMirrors, setMirrors } from "./symmetry.ts";
-import "../../ui/keep-outs.css";
+import "../../ui/keep-out-rows.css";
+import "./symmetry.css";
 import { Ask } from "../../ui/ask.tsx";
 
 const AXES = ["x", "y", "z"] as const;
