@@ -6,7 +6,10 @@
 namespace planish {
 namespace {
 
-constexpr MeshFormatRow kGlbRow{"glb", read_glb, [](const Mesh& mesh) { return write_glb(mesh); }};
+/// Apart from its row: whoever names the formats alone, as the page's solver, links no reader of
+/// it.
+constexpr std::string_view kGlb = "glb";
+constexpr MeshFormatRow kGlbRow{kGlb, read_glb, [](const Mesh& mesh) { return write_glb(mesh); }};
 
 const MeshFormatRow& row_of(MeshFormat format) {
   const auto k = static_cast<std::size_t>(format);
@@ -37,7 +40,7 @@ std::string all_extensions(std::string_view point, std::string_view between,
   for (const MeshFormatRow& row : kPlainFormats) {
     text.append(text.empty() ? "" : between).append(point).append(row.extension);
   }
-  return text.append(last).append(point).append(kGlbRow.extension);
+  return text.append(last).append(point).append(kGlb);
 }
 
 ReadResult read_mesh(std::string_view bytes, MeshFormat format) {
