@@ -86,6 +86,19 @@ it("goes no farther than it may, and stays out of flat by what it may", async ()
   await again.context().close();
 });
 
+it("two places of the slider that come to one mesh say so", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  // One panel knows no smoother way to become flat.
+  await openFile(page, "one.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nf 1 2 3 4\n");
+  await figures(page).waitFor();
+  const slider = page.getByRole("slider", { name: "Aim for" });
+  const same = page.getByText(/^The same mesh as at /);
+  expect(await same.count()).toBe(0);
+  await slider.fill("3");
+  await expect.poll(() => same.textContent()).toBe("The same mesh as at “fair”.");
+  await page.context().close();
+});
+
 /** A saddle along its straight lines, 1 m apart: no flat mesh is near. */
 function saddle(count: number, rise: number): string {
   const lines: string[] = [];

@@ -5,6 +5,19 @@ import {
   sharpestFold,
   usualFold,
 } from "../../web/src/features/planarising/planarise-preview.ts";
+import { ShownStops } from "../../web/src/features/planarising/shown-stops.ts";
+
+it("a place of the slider is the same as another that showed the same points, as they were last", () => {
+  const stops = new ShownStops();
+  const [one, other] = [Float64Array.from([0, 1, 2]), Float64Array.from([0, 1, 2.0000001])];
+  expect(stops.show(10, one)).toBeNull();
+  expect(stops.show(10, one)).toBeNull();
+  expect(stops.show(0, other)).toBeNull();
+  expect(stops.show(1, one.slice())).toBe("fair");
+  expect(stops.show(0, one.slice())).toBe("fair");
+  expect(stops.show(10, other)).toBeNull();
+  expect(stops.show(0, Float64Array.from([0]))).toBeNull();
+});
 
 it("the shape of a trial holds the points that differ, to the last bit", () => {
   const base = Float64Array.from([0, 0, 0, 1, 1, 1, 2, 2, 2]);

@@ -28,11 +28,11 @@ it("a preview is called one: what it shows is not the design", async () => {
     measures: null,
     split: null,
   };
-  page.planariseTrial.value = { kind: "shown", trial };
+  page.planariseTrial.value = { kind: "shown", trial, sameAs: null };
   expect(words(page)).toMatch(/^A preview of planarising: 400 panels would all be flat, with 0 /);
   expect(words(page)).toContain("The file, which the tables are of, is not flat.");
   const bent = { ...trial, mesh: asFlatAs(opened, DEFAULT_SETTINGS.tolerance + 1) };
-  page.planariseTrial.value = { kind: "shown", trial: bent };
+  page.planariseTrial.value = { kind: "shown", trial: bent, sameAs: null };
   expect(words(page)).toContain("400 panels would not all be flat");
   const running = {
     kind: "running",

@@ -37,7 +37,12 @@ export type Preview =
       readonly near: Trial | null;
     }
   | { readonly kind: "refused"; readonly sentence: string }
-  | { readonly kind: "shown"; readonly trial: Trial };
+  | {
+      readonly kind: "shown";
+      readonly trial: Trial;
+      /** Another place of the slider that showed the same points; null for none. */
+      readonly sameAs: string | null;
+    };
 
 export const sameWay = (a: Planarising | null, b: Planarising | null): boolean =>
   a?.smooth === b?.smooth &&

@@ -12,6 +12,7 @@ import { showOnly } from "../../state/showing.ts";
 import { Beside } from "./beside.ts";
 import { isMet } from "./is-met.ts";
 import { PlanariseTrials } from "./planarise-trial.ts";
+import { ShownStops } from "./shown-stops.ts";
 import { FAR, sizeOf } from "./stops.ts";
 
 /** Where two meshes of one topology differ. */
@@ -50,6 +51,7 @@ type Running = Extract<Preview, { kind: "running" }>;
 export class PlanarisePreview {
   readonly #page: Page;
   readonly #trials: PlanariseTrials;
+  readonly #stops = new ShownStops();
   /** Of what is near the file, beside what was asked for. */
   #beside: Beside | null = null;
   readonly #opened: OpenedMesh;
@@ -117,8 +119,14 @@ export class PlanarisePreview {
     if (mine !== this.#newest) return null;
     this.#beside?.end();
     this.#draw(trial.mesh);
-    this.#page.planariseTrial.value = { kind: "shown", trial };
+    this.#conclude(trial);
     return trial;
+  }
+
+  /** `trial` is what there is at its place of the slider. */
+  #conclude(trial: Trial): void {
+    const sameAs = this.#stops.show(trial.how.smooth, trial.mesh.positions);
+    this.#page.planariseTrial.value = { kind: "shown", trial, sameAs };
   }
 
   async #try(
@@ -174,7 +182,7 @@ export class PlanarisePreview {
       const { keepBoundary } = near.how;
       this.#page.planarising.value = { ...this.#page.planarising.peek(), keepBoundary };
     }
-    this.#page.planariseTrial.value = { kind: "shown", trial: near };
+    this.#conclude(near);
   }
 
   /** The file is shown again. */

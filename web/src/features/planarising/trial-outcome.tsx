@@ -80,7 +80,9 @@ function farWords(page: Page, trial: Trial, opened: OpenedMesh): string {
   return largest > ANOTHER * sizeOf(opened) ? `${moved}: it is another shape.` : `${moved}.`;
 }
 
-function Shown({ trial, ...props }: OutcomeProps & { trial: Trial }) {
+type Shown = Extract<Preview, { kind: "shown" }>;
+
+function Shown({ trial, sameAs, ...props }: OutcomeProps & Shown) {
   const page = usePage();
   const { opened } = props;
   const short = page.draft.value && (trial.instead || !isMet(trial, page.draft.value));
@@ -89,6 +91,7 @@ function Shown({ trial, ...props }: OutcomeProps & { trial: Trial }) {
   return (
     <>
       <TrialFigures trial={trial} opened={opened} />
+      {sameAs && <p class="quiet small">{`The same mesh as at “${sameAs}”.`}</p>}
       {(short || far) && (
         <div class="note warn">
           <p>{short ? shortWords(trial, most) : farWords(page, trial, opened)}</p>
@@ -138,6 +141,6 @@ export function Outcome(props: OutcomeProps) {
         </div>
       );
     case "shown":
-      return <Shown {...props} trial={preview.trial} />;
+      return <Shown {...props} {...preview} />;
   }
 }
