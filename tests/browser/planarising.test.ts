@@ -50,7 +50,7 @@ async function overhear(page: Page): Promise<() => Promise<readonly Asked[]>> {
 
 interface Asked {
   kind: string;
-  planarise?: { readonly within: number } | null | undefined;
+  planarise?: { within: number; flat: number; keepBoundary: boolean } | null | undefined;
   found?: number[] | null | undefined;
 }
 
@@ -80,8 +80,9 @@ it("shows what planarising gives before it is done, and does just that, once", a
   expect(near).toBeLessThan(fair);
 
   // What is taken is what was shown, to the last bit; nobody makes it a second time.
-  // (What is near the file is tried, too, where the first takes long.)
-  const whole = (all: readonly Asked[]) => all.filter(({ planarise }) => planarise?.within === 0);
+  // (What is near the file is tried, too, where the first takes long, and what else there is.)
+  const whole = (all: readonly Asked[]) =>
+    all.filter(({ planarise: how }) => how?.within === 0 && how.flat === 0 && how.keepBoundary);
   expect(whole(await asked()).length).toBe(2);
   await page.getByRole("button", { name: "Planarise", exact: true }).click();
   await page.getByRole("button", { name: "Start editing" }).waitFor();

@@ -141,6 +141,63 @@ it("where no flat mesh is near, shows how flat panels get near the file, and wha
   await page.context().close();
 });
 
+/** Label and cost of each way, once all costs are known. */
+async function costs(page: Page): Promise<ReadonlyMap<string, string>> {
+  const ways = page.getByRole("group", { name: "What else there is" }).locator(".other-way");
+  await expect
+    .poll(async () => {
+      const all = await ways.allTextContents();
+      return all.length > 0 && all.every((words) => words.includes("moves up to"));
+    })
+    .toBe(true);
+  await idle(page);
+  const all = await ways.allTextContents();
+  return new Map(all.map((words) => words.split(/(?=moves up to)/) as [string, string]));
+}
+
+it("what else there is says what it costs before it is pressed, the least move first, and gives just that", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "saddle.obj", saddle(6, 1));
+  const keep = page.getByRole("checkbox", { name: "Keep the boundary where it is" });
+  const said: string[] = [];
+  /** Presses the button of that name: what it was to cost is what there is. */
+  const take = async (name: string): Promise<void> => {
+    const known = await costs(page);
+    const cost = known.get(name) ?? "";
+    said.push([...known].map((one) => one.join(": ")).join("; "));
+    await page.getByRole("button", { name, exact: true }).click();
+    await expect
+      .poll(() => cell(page, "Largest move", 1))
+      .toContain(/moves up to ([\d.]+ mm)/.exec(cost)?.[1]);
+    const worst = /bent by up to (.*)$/.exec(cost)?.[1] ?? "flat";
+    expect(await cell(page, "Worst panel", 1)).toBe(worst);
+    if (cost.includes("split"))
+      expect(cost).toContain(
+        `${Number.parseInt((await cell(page, "Panels split", 1)) ?? "", 10)} panels split`,
+      );
+  };
+  const flat = page.getByRole("combobox", { name: "Flat" });
+  await take("Flat to within 20 mm/m");
+  await flat.selectOption("exactly");
+  await take("Move points by 60 mm at most");
+  await take("Let points move farther");
+  await flat.selectOption("exactly");
+  await keep.check();
+  await take("Split up to 50 % of the panels");
+  await page.getByRole("combobox", { name: "Split panels" }).selectOption("none");
+  await take("Let the boundary move");
+  const [first, , third, fourth] = said;
+  expect(first).toMatch(
+    /^Move points by 60 mm.*; Flat to within 20 mm\/m: moves up to 1256 mm, 36 panels bent/,
+  );
+  expect(third).toMatch(/^Split up to 50 %.* all flat, 18 panels split; Let points move farther/);
+  // What does not become as flat as it asks for is last, however little it moves.
+  expect(fourth).toMatch(
+    /^Let the boundary.* all flat; Split .*; Flat to within 20 mm\/m: moves up to 0\.53 mm/,
+  );
+  await page.context().close();
+});
+
 it("a flat mesh that is another shape is said to be one, with the way back near the file", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await openFile(page, "saddle.obj", saddle(6, 1));

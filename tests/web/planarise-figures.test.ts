@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import { FAIR_FLAT, type Trial } from "../../web/src/design/planarising.ts";
+import { costWords } from "../../web/src/features/planarising/other-ways.tsx";
 import {
   shapeOf,
   sharpestFold,
   usualFold,
 } from "../../web/src/features/planarising/planarise-preview.ts";
 import { ShownStops } from "../../web/src/features/planarising/shown-stops.ts";
+import { TrialMemory } from "../../web/src/features/planarising/trial-memory.ts";
+import { byCost } from "../../web/src/features/planarising/way-costs.ts";
 
 it("a place of the slider is the same as another that showed the same points, as they were last", () => {
   const stops = new ShownStops();
@@ -39,4 +43,46 @@ it("the sharpest fold is of panels that have a neighbour, too", () => {
   expect(sharpestFold(Float32Array.from([3, -1, 79.5, 12]))).toBe(79.5);
   expect(sharpestFold(Float32Array.from([-1, 0]))).toBe(0);
   expect(sharpestFold(Float32Array.from([-1]))).toBeNull();
+});
+
+it("ways are sorted by how far points move, those that miss what they say and unknown ones last", () => {
+  const ways = ["unknown", "missed", "far", "near"].map((label) => ({
+    label,
+    how: FAIR_FLAT,
+    share: 0,
+  }));
+  const cost = { met: true, move: 1, mmPerM: 0, bent: 0, split: 0 };
+  const costs = new Map([
+    ["far", { ...cost, move: 9 }],
+    ["missed", { ...cost, met: false, move: 0.1 }],
+    ["near", cost],
+  ]);
+  expect(byCost(ways, costs).map(({ label }) => label)).toEqual([
+    "near",
+    "far",
+    "missed",
+    "unknown",
+  ]);
+  expect(byCost(ways, new Map())).toEqual(ways);
+});
+
+it("a cost names the move, the panels that stay bent and those that are split", () => {
+  const cost = { met: true, move: 0.033, mmPerM: 0, bent: 0, split: 0 };
+  expect(costWords(cost, "m")).toBe("moves up to 33 mm, all flat");
+  expect(costWords({ ...cost, mmPerM: 18.24, bent: 1, split: 64 }, "m")).toBe(
+    "moves up to 33 mm, 1 panel bent by up to 18.2 mm/m, 64 panels split",
+  );
+});
+
+it("what was tried is known again by its way and its splits, the newest of them", () => {
+  const memory = new TrialMemory(2);
+  const trial = {} as Trial;
+  const way = (smooth: number) => ({ how: { ...FAIR_FLAT, smooth }, split: 0 });
+  memory.keep(way(1), trial);
+  expect(memory.find(way(1))).toBe(trial);
+  expect(memory.find({ ...way(1), split: 3 })).toBeNull();
+  memory.keep(way(2), trial);
+  memory.keep(way(3), trial);
+  expect(memory.find(way(1))).toBeNull();
+  expect(memory.find(way(2))).toBe(trial);
 });

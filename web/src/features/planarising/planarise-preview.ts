@@ -10,10 +10,11 @@ import { damageWords } from "../../state/damage.ts";
 import type { Page } from "../../state/page.ts";
 import { showOnly } from "../../state/showing.ts";
 import { Beside } from "./beside.ts";
-import { isMet } from "./is-met.ts";
+import { isMet, serves } from "./is-met.ts";
 import { PlanariseTrials } from "./planarise-trial.ts";
 import { ShownStops } from "./shown-stops.ts";
-import { FAR, sizeOf } from "./stops.ts";
+import { TrialMemory } from "./trial-memory.ts";
+import { WayCosts } from "./way-costs.ts";
 
 /** Where two meshes of one topology differ. */
 export function shapeOf(now: Float64Array, base: Float64Array): Shape {
@@ -41,6 +42,9 @@ export const spoiltWords = ({ measures }: Trial): string =>
 /** Points: larger meshes wait until they are asked for. */
 export const EAGER_POINTS = 5000;
 
+/** Trials that are kept of one mesh; of a larger one, which takes room. */
+const [KEPT, KEPT_LARGE] = [24, 2];
+
 /** Milliseconds after which what is near the file is shown, while what was asked for is still tried. */
 const NEAR_AFTER_MS = 150;
 
@@ -49,7 +53,9 @@ type Running = Extract<Preview, { kind: "running" }>;
 
 /** Tries ways to planarise one mesh while its door is open. */
 export class PlanarisePreview {
+  readonly costs: WayCosts;
   readonly #page: Page;
+  readonly #memory: TrialMemory;
   readonly #trials: PlanariseTrials;
   readonly #stops = new ShownStops();
   /** Of what is near the file, beside what was asked for. */
@@ -62,9 +68,15 @@ export class PlanarisePreview {
 
   constructor(page: Page, opened: OpenedMesh, design: Design) {
     this.#page = page;
-    this.#trials = new PlanariseTrials(page.spawn);
+    this.#memory = new TrialMemory(opened.report.vertices > EAGER_POINTS ? KEPT_LARGE : KEPT);
+    this.#trials = this.#newTrials();
     this.#opened = opened;
     this.#design = design;
+    this.costs = new WayCosts(this.#newTrials(), opened, design);
+  }
+
+  #newTrials(): PlanariseTrials {
+    return new PlanariseTrials(this.#page.spawn, this.#memory);
   }
 
   /** The first of the ways that makes every panel flat. Where none does, what there is near the file, or
@@ -74,7 +86,8 @@ export class PlanarisePreview {
     this.#newest += 1;
     this.#beside?.end();
     const mine = this.#newest;
-    const trials = new PlanariseTrials(this.#page.spawn);
+    this.costs.end();
+    const trials = this.#newTrials();
     const tell = (near: Trial): void => this.#meanwhile(mine, near);
     const beside = new Beside(trials, this.#opened, this.#design, split, ways, tell);
     this.#beside = beside;
@@ -96,7 +109,10 @@ export class PlanarisePreview {
     try {
       const trial = await this.#try(mine, split, ways, beside);
       if (!trial) return null;
-      return this.#show(mine, this.#serves(trial) ? trial : ((await beside.run()) ?? trial));
+      return this.#show(
+        mine,
+        serves(trial, this.#design, this.#opened) ? trial : ((await beside.run()) ?? trial),
+      );
     } catch (error) {
       if (error instanceof GivenUp) return null;
       const instead = await beside.run();
@@ -107,12 +123,6 @@ export class PlanarisePreview {
       this.#page.planariseTrial.value = { kind: "refused", sentence };
       return null;
     }
-  }
-
-  /** Whether nothing else is to be shown in its place. */
-  #serves(trial: Trial): boolean {
-    const { largest } = trial.mesh.report.planarising;
-    return isMet(trial, this.#design) || largest <= FAR * sizeOf(this.#opened);
   }
 
   #show(mine: number, trial: Trial): Trial | null {
@@ -190,6 +200,7 @@ export class PlanarisePreview {
     this.#newest += 1;
     this.#trials.end();
     this.#beside?.end();
+    this.costs.end();
     this.#drawFile();
     this.#page.planariseTrial.value = { kind: "none" };
   }

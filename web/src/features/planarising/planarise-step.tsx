@@ -16,7 +16,7 @@ import { viewOf } from "../../ui/view-slot.ts";
 import { isMet } from "./is-met.ts";
 import { EAGER_POINTS, PlanarisePreview } from "./planarise-preview.ts";
 import { followSplitLines } from "./split-lines.ts";
-import { MOST_BENT, STOPS, stopOf } from "./stops.ts";
+import { MOST_BENT, STOPS, splitMost, stopOf } from "./stops.ts";
 import { Outcome } from "./trial-outcome.tsx";
 
 /** mm/m that panels may stay out of flat. */
@@ -117,10 +117,7 @@ export function PlanariseStep({ live }: { live: boolean }) {
     return { ...page.planarising.peek(), keepShape, constraints };
   };
   const share = splitShare(page);
-  const most = (): number =>
-    share.peek() > 0
-      ? Math.max(1, Math.floor((share.peek() / 100) * (opened?.report.faces ?? 0)))
-      : 0;
+  const most = (): number => (opened ? splitMost(share.peek(), opened) : 0);
   const show = (): void => void preview?.show(most(), wanted());
   const keep = (keepBoundary: boolean): void => {
     page.planarising.value = { ...page.planarising.peek(), keepBoundary };
@@ -207,11 +204,12 @@ export function PlanariseStep({ live }: { live: boolean }) {
       <Outcome
         opened={opened}
         wish={wanted()}
+        share={share.value}
         splits={share.value === 0 && mayHelpToSplit(page)}
-        onTry={change}
-        onSplit={(percent) => {
-          share.value = percent;
-          change({ flat: 0 });
+        costs={preview.costs}
+        onTake={(way) => {
+          share.value = way.share;
+          change(way.how);
         }}
       />
       <SplitPanels onChoose={show} />

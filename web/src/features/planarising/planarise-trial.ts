@@ -5,6 +5,7 @@ import type { Trial } from "../../design/planarising.ts";
 import type { SpawnWorker } from "../../solver/client.ts";
 import type { Planarising, Source } from "../../solver/protocol.ts";
 import { type Ask, type News, SecondSolver } from "../../solver/second-solver.ts";
+import type { TrialMemory } from "./trial-memory.ts";
 
 /** Of which mesh, and how. */
 interface Wanted {
@@ -25,17 +26,27 @@ const told =
 
 export class PlanariseTrials {
   readonly #solver: SecondSolver;
+  readonly #memory: TrialMemory;
 
-  constructor(spawn: SpawnWorker) {
+  /** @param memory of the one mesh that they are about */
+  constructor(spawn: SpawnWorker, memory: TrialMemory) {
     this.#solver = new SecondSolver(spawn);
+    this.#memory = memory;
   }
 
   /** The newest wins. @param said gets the number of steps so far
    * @throws GivenUp, or an Error with the sentence of the refusal */
-  run(wanted: Wanted, said: Said = () => {}): Promise<Trial> {
-    return this.#solver.run((ask) =>
+  async run(wanted: Wanted, said: Said = () => {}): Promise<Trial> {
+    const known = this.#memory.find(wanted);
+    if (known) {
+      this.#solver.end();
+      return known;
+    }
+    const trial = await this.#solver.run((ask) =>
       wanted.split > 0 ? splitting(ask, wanted, said) : whole(ask, wanted, said),
     );
+    this.#memory.keep(wanted, trial);
+    return trial;
   }
 
   /** Gives up what runs and lets the worker go. */

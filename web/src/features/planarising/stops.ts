@@ -54,3 +54,7 @@ export const nearWay = (how: Planarising, opened: OpenedMesh): Planarising =>
 /** As flat as panels get within the smallest share of all stops, which is soon known. */
 export const quickWay = (how: Planarising, opened: OpenedMesh): Planarising =>
   within(Math.min(...STOPS.map(({ near }) => near)), how, opened);
+
+/** How many panels may be split, of a share in percent; 0: none. */
+export const splitMost = (share: number, { report }: Pick<OpenedMesh, "report">): number =>
+  share > 0 ? Math.max(1, Math.floor((share / 100) * report.faces)) : 0;

@@ -3,10 +3,11 @@ import { flatnessWords } from "../../design/flatness.ts";
 import type { Trial } from "../../design/planarising.ts";
 import { formatLength } from "../../quantity/units.ts";
 import { stepOf } from "../../solver/found-limits.ts";
-import { type OpenedMesh, PER_PANEL } from "../../solver/protocol.ts";
+import type { OpenedMesh } from "../../solver/protocol.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { excessesOf } from "./is-met.ts";
 import { sharpestFold, spoiltWords, usualFold } from "./planarise-preview.ts";
 import { FAR, sizeOf } from "./stops.ts";
 
@@ -24,8 +25,7 @@ function worstWords({ report }: OpenedMesh, page: Page): string {
 /** How many of them are flat; "" where nobody measured them. */
 function flatWords(figures: Float32Array | null | undefined, most: number): string {
   if (!figures) return "";
-  const stride = PER_PANEL.figures;
-  const excesses = figures.filter((_, k) => k % stride === stride - 1);
+  const excesses = excessesOf(figures);
   return `${excesses.filter((excess) => excess <= most).length} of ${excesses.length}`;
 }
 

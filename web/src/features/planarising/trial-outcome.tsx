@@ -1,68 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What came of trying to make a mesh flat, and what else there is, each by one press.
+// What came of trying to make a mesh flat, and what else there is.
 import { decimal } from "../../design/flatness.ts";
 import type { Preview, Trial } from "../../design/planarising.ts";
-import { formatLength, type Unit } from "../../quantity/units.ts";
-import type { OpenedMesh, Planarising } from "../../solver/protocol.ts";
+import { formatLength } from "../../quantity/units.ts";
+import type { OpenedMesh } from "../../solver/protocol.ts";
 import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { isMet } from "./is-met.ts";
-import { MOST_BENT, nearWay, sizeOf } from "./stops.ts";
+import { OtherWays, type OtherWaysProps } from "./other-ways.tsx";
+import { sizeOf } from "./stops.ts";
 import { movesFar, moveWords, TrialFigures } from "./trial-figures.tsx";
-
-/** Of all panels, percent: as few of them as are found are split. */
-const SPLIT = 50;
 
 /** Of the size: from here on few would call it the same shape. */
 const ANOTHER = 0.05;
-
-export interface OutcomeProps {
-  readonly opened: OpenedMesh;
-  /** What was asked for. */
-  readonly wish: Planarising;
-  /** Whether panels can be split, and are not yet. */
-  readonly splits: boolean;
-  readonly onTry: (changed: Partial<Planarising>) => void;
-  /** Percent. */
-  readonly onSplit: (share: number) => void;
-}
-
-type Way = readonly [label: string, act: () => void];
-
-/** What else there is where panels stay bent or points go far.
- * @param trial what is shown, where it is flat; null: panels stay bent */
-function waysOf(
-  { opened, wish, splits, onTry, onSplit }: OutcomeProps,
-  trial: Trial | null,
-  unit: Unit,
-): readonly Way[] {
-  const near = nearWay(wish, opened);
-  const ways: Way[] = [];
-  if (wish.keepBoundary) ways.push(["Let the boundary move", () => onTry({ keepBoundary: false })]);
-  if (wish.within > 0 && !trial) ways.push(["Let points move farther", () => onTry({ within: 0 })]);
-  if (wish.flat < MOST_BENT && opened.report.worstMmPerM > MOST_BENT)
-    ways.push([`Flat to within ${MOST_BENT} mm/m`, () => onTry({ flat: MOST_BENT })]);
-  if (splits) ways.push([`Split up to ${SPLIT} % of the panels`, () => onSplit(SPLIT)]);
-  if (trial && near.within < trial.mesh.report.planarising.largest) {
-    const label = `Move points by ${formatLength(near.within, unit)} at most`;
-    ways.push([label, () => onTry({ within: near.within, flat: near.flat })]);
-  }
-  return ways;
-}
-
-function Ways({ trial, ...props }: OutcomeProps & { trial: Trial | null }) {
-  const ways = waysOf(props, trial, usePage().unit.value);
-  if (ways.length === 0) return null;
-  return (
-    <fieldset class="ways-on" aria-label="What else there is">
-      {ways.map(([label, act]) => (
-        <button key={label} type="button" class="button small" onClick={act}>
-          {label}
-        </button>
-      ))}
-    </fieldset>
-  );
-}
 
 /** Why a trial is not as flat as was asked for. */
 function shortWords({ how, instead, mesh }: Trial, far: string): string {
@@ -82,7 +32,7 @@ function farWords(page: Page, trial: Trial, opened: OpenedMesh): string {
 
 type Shown = Extract<Preview, { kind: "shown" }>;
 
-function Shown({ trial, sameAs, ...props }: OutcomeProps & Shown) {
+function Shown({ trial, sameAs, ...props }: OtherWaysProps & Shown) {
   const page = usePage();
   const { opened } = props;
   const short = page.draft.value && (trial.instead || !isMet(trial, page.draft.value));
@@ -95,7 +45,7 @@ function Shown({ trial, sameAs, ...props }: OutcomeProps & Shown) {
       {(short || far) && (
         <div class="note warn">
           <p>{short ? shortWords(trial, most) : farWords(page, trial, opened)}</p>
-          <Ways {...props} trial={short ? null : trial} />
+          <OtherWays {...props} trial={short ? null : trial} />
         </div>
       )}
     </>
@@ -126,7 +76,7 @@ function Trying({ near, step, giveUp, opened }: Running & { opened: OpenedMesh }
   );
 }
 
-export function Outcome(props: OutcomeProps) {
+export function Outcome(props: OtherWaysProps) {
   const preview = usePage().planariseTrial.value;
   switch (preview.kind) {
     case "none":
@@ -137,7 +87,7 @@ export function Outcome(props: OutcomeProps) {
       return (
         <div class="note warn">
           <p>{preview.sentence}</p>
-          <Ways {...props} trial={null} />
+          <OtherWays {...props} trial={null} />
         </div>
       );
     case "shown":
