@@ -99,13 +99,12 @@ it("two places of the slider that come to one mesh say so", async () => {
   await page.context().close();
 });
 
-/** A saddle along its straight lines, 1 m apart: no flat mesh is near. */
-function saddle(count: number, rise: number): string {
+/** Lines 1 m apart, `height` over the middle. */
+function net(count: number, height: (x: number, y: number) => number): string {
   const lines: string[] = [];
   const from = (k: number): number => k - count / 2;
   for (let j = 0; j <= count; ++j)
-    for (let i = 0; i <= count; ++i)
-      lines.push(`v ${i} ${j} ${(rise * from(i) * from(j)) / count}`);
+    for (let i = 0; i <= count; ++i) lines.push(`v ${i} ${j} ${height(from(i), from(j))}`);
   for (let j = 0; j < count; ++j)
     for (let i = 0; i < count; ++i) {
       const a = j * (count + 1) + i + 1;
@@ -113,6 +112,10 @@ function saddle(count: number, rise: number): string {
     }
   return `${lines.join("\n")}\n`;
 }
+
+/** A saddle along its straight lines: no flat mesh is near. */
+const saddle = (count: number, rise: number): string =>
+  net(count, (x, y) => (rise * x * y) / count);
 
 it("where no flat mesh is near, shows how flat panels get near the file, and what else there is", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
@@ -195,6 +198,32 @@ it("what else there is says what it costs before it is pressed, the least move f
   expect(fourth).toMatch(
     /^Let the boundary.* all flat; Split .*; Flat to within 20 mm\/m: moves up to 0\.53 mm/,
   );
+  await page.context().close();
+});
+
+it("a net along the wrong lines is said to be one, and its panels can be coloured by it", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "saddle.obj", saddle(6, 1));
+  await page
+    .getByText(/^Lines run up to 90° off .*\(conjugate directions\), half .* more than 88°/)
+    .waitFor();
+  const colours = page.getByRole("combobox", { name: "Colour by" });
+  const before = await colours.inputValue();
+  await page.getByRole("checkbox", { name: "Colour panels by it" }).check();
+  expect(await colours.inputValue()).toBe("conjugacy");
+  await page.getByText(/^Lines of the mesh as opened, .*: half more than 8\d\.\d°/).waitFor();
+  await page.getByRole("checkbox", { name: "Colour panels by it" }).uncheck();
+  expect(await colours.inputValue()).toBe(before);
+  // Of a net of translation, a little out of flat, nothing is said.
+  await openFile(
+    page,
+    "cap.obj",
+    net(6, (x, y) => -0.05 * x * x - 0.04 * y * y + 0.001 * x * y),
+  );
+  await colours.selectOption("Conjugate directions");
+  await page.getByText(/^Lines of the mesh as opened, .*: half more than \d\.\d°/).waitFor();
+  expect(await page.getByText(/^Lines run up to/).count()).toBe(0);
+  await colours.selectOption("Shape");
   await page.context().close();
 });
 

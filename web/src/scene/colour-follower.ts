@@ -27,6 +27,10 @@ function figuresOf(page: Page, kind: ColourBy): Float32Array | null {
   if (kind === "groups") return groupFigures(page).value;
   if (kind === "fairness") return page.bending.value;
   if (kind === "fold") return page.panelFolds.value;
+  if (kind === "conjugacy")
+    return page.conjugacy.value?.of === page.mesh.value
+      ? (page.conjugacy.value?.angles ?? null)
+      : null;
   if (kind === "mobility")
     return page.mobility.value?.of === page.mesh.value ? (page.mobility.value?.ways ?? null) : null;
   if (page.kindDefects.value?.kind === kind) return page.kindDefects.value.values;

@@ -8,7 +8,14 @@ import { row } from "../mesh/topology.ts";
 import { PER_PANEL } from "../solver/protocol.ts";
 import type { ColourBy } from "../state/page-state.ts";
 import { TROUBLES } from "../state/panel-trouble.ts";
-import { defectEnd, foldEnd, largest, planarityEnd, planarityShare } from "../state/ramp-ends.ts";
+import {
+  CONJUGACY_END,
+  defectEnd,
+  foldEnd,
+  largest,
+  planarityEnd,
+  planarityShare,
+} from "../state/ramp-ends.ts";
 import { DirtyRange } from "./dirty-range.ts";
 import type { Palette } from "./palette.ts";
 import { makeRamp, type Ramp, remakePlace, writeRamp } from "./ramp.ts";
@@ -99,7 +106,7 @@ export class PanelColours {
 
   /**
    * A panel's place on the ramp. Flatness: neutral where flat, then logarithmic up to planarityEnd().
-   * Folds and a kind's defects: in proportion, up to foldEnd() or defectEnd(). Health: by the
+   * Folds, a kind's defects and conjugacy: in proportion, up to foldEnd(), defectEnd() or CONJUGACY_END. Health: by the
    * class, convex neutral, self-crossing at its end. Groups and types: neutral, then one colour
    * after the other. What must be made again: see remakePlace().
    */
@@ -113,6 +120,7 @@ export class PanelColours {
       const end = this.#kind === "fold" ? foldEnd(figures) : defectEnd(figures);
       return (f) => (figures[f] ?? 0) / end;
     }
+    if (this.#kind === "conjugacy") return (f) => (figures[f] ?? 0) / CONJUGACY_END;
     const end = planarityEnd(figures);
     return (f) => planarityShare(figures[PER_PANEL.figures * f + 2] ?? 0, end);
   }

@@ -74,6 +74,7 @@ export type ColourBy =
   | "health"
   | "remake"
   | "mobility"
+  | "conjugacy"
   | "zebra"
   | "glass"
   | "types"
@@ -117,6 +118,8 @@ export class PageState {
   /** Of the latest design and choice for which they were found. */
   readonly shownTypes = signal<ShownTypes | null>(null);
   readonly mobility = signal<Mobility | null>(null);
+  /** By how many degrees each panel's lines are off conjugate directions; −1: not known. */
+  readonly conjugacy = signal<{ of: OpenedMesh; angles: Float32Array } | null>(null);
   /** What second layer is wanted of this mesh and its designs; null for none. */
   readonly offsetChoice = signal<LaidOffset | null>(null);
   /** The second layer of the design shown; null without one, and while points move. */

@@ -45,5 +45,8 @@ const CREASE = 30;
 /** Degrees at the end of the ramp of folds: those of a crease, or the sharpest fold. */
 export const foldEnd = (folds: Float32Array): number => largest(folds, CREASE);
 
+/** Degrees at the end of the ramp of conjugacy: lines that are farther off are no better. */
+export const CONJUGACY_END = 45;
+
 /** Degrees at the end of the ramp of a kind's defects: the worst, at least what still counts as kept. */
 export const defectEnd = (defects: Float32Array): number => largest(defects, MEANT);

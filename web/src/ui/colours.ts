@@ -15,6 +15,7 @@ export const COLOURS: readonly (readonly [ColourBy, string])[] = [
   ["circular", "Circular"],
   ["conical", "Conical"],
   ["mobility", "Mobility"],
+  ["conjugacy", "Conjugate directions"],
   ["zebra", "Reflection lines"],
   ["glass", "Glass"],
   ["groups", "Groups"],

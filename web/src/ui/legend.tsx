@@ -31,6 +31,10 @@ const MobilityScale = later(() =>
   import("../features/mobility/mobility-scale.tsx").then((part) => part.MobilityScale),
 );
 
+const ConjugacyScale = later(() =>
+  import("../features/planarising/conjugacy-scale.tsx").then((part) => part.ConjugacyScale),
+);
+
 const RemakeScale = later(() =>
   import("../features/analysis/class-scale.tsx").then((part) => part.RemakeScale),
 );
@@ -124,6 +128,8 @@ function Scale() {
         <PlanarityScale />
       ) : kind === "mobility" ? (
         <MobilityScale />
+      ) : kind === "conjugacy" ? (
+        <ConjugacyScale />
       ) : (
         <Ends of={kind} />
       )}

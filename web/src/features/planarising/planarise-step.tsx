@@ -14,6 +14,7 @@ import { LimitField } from "../../ui/limit-field.tsx";
 import { Slider } from "../../ui/slider.tsx";
 import { viewOf } from "../../ui/view-slot.ts";
 import { isMet } from "./is-met.ts";
+import { NetNote } from "./net-note.tsx";
 import { EAGER_POINTS, PlanarisePreview } from "./planarise-preview.ts";
 import { followSplitLines } from "./split-lines.ts";
 import { MOST_BENT, STOPS, splitMost, stopOf } from "./stops.ts";
@@ -160,6 +161,7 @@ export function PlanariseStep({ live }: { live: boolean }) {
   };
   return (
     <>
+      <NetNote />
       <Slider
         label="Aim for"
         value={stop}

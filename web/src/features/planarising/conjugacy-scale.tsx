@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+import { useEffect } from "preact/hooks";
+import { CONJUGACY_END } from "../../state/ramp-ends.ts";
+import { usePage } from "../../ui/page-context.ts";
+import { measureNet, netAngles, netFault } from "./net-angles.ts";
+
+/** How far lines are from conjugate directions; measured once someone looks. */
+export function ConjugacyScale() {
+  const page = usePage();
+  const opened = page.mesh.value;
+  useEffect(() => measureNet(page), [opened]);
+  const angles = netAngles(page);
+  const fault = angles && netFault(angles);
+  return (
+    <>
+      <div class="legend-ends">
+        <span>0°, conjugate</span>
+        <span>{`${CONJUGACY_END}° or more`}</span>
+      </div>
+      <p class="legend-note">
+        {fault
+          ? `Lines of the mesh as opened, off those along which panels can be flat: half more than ${fault.half.toFixed(1)}°`
+          : "Of panels with four corners, where the mesh bends"}
+      </p>
+    </>
+  );
+}
