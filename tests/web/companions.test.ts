@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What travels beside a design comes back as it was; what is wrong with it costs the design nothing.
 import { inflateRawSync } from "node:zlib";
+import { effect } from "@preact/signals";
 import { describe, expect, it } from "vitest";
 import { readBeside, withBeside } from "../../web/src/design/beside-text.ts";
 import {
@@ -13,6 +14,7 @@ import { variantJson } from "../../web/src/design/variant-text.ts";
 import { companionsOf, EVERYTHING, NOTHING } from "../../web/src/export/companions.ts";
 import { onChanges } from "../../web/src/state/connection.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import { openFile } from "../../web/src/state/files.ts";
 import { readMark } from "../../web/src/state/marking.ts";
 import { note } from "../../web/src/state/note.ts";
 import { openSample } from "../../web/src/state/opening.ts";
@@ -34,9 +36,30 @@ async function raise(page: Page, by: number): Promise<void> {
   await setTarget(page, MIDDLE, [base[0] ?? 0, base[1] ?? 0, (base[2] ?? 0) + by]);
 }
 
-/** A roof with a note, a view and three variants; the last is shown. */
-async function author(): Promise<Page> {
-  const page = await openedPage();
+/** A mesh of a file, 17 × 17 points: every panel is flat. */
+function translated(): File {
+  const side = Array.from({ length: 17 }, (_, k) => k);
+  const points = side.flatMap((y) =>
+    side.map((x) => `v ${x} ${y} ${-0.03 * (x - 8) ** 2 - 0.02 * (y - 8) ** 2}`),
+  );
+  const faces = side.slice(1).flatMap((j) =>
+    side.slice(1).map((i) => {
+      const d = 17 * j + i + 1;
+      return `f ${d - 18} ${d - 17} ${d} ${d - 1}`;
+    }),
+  );
+  return new File([[...points, ...faces].join("\n")], "translated.obj");
+}
+
+async function withFile(): Promise<Page> {
+  const page = pageHere();
+  await openFile(page, translated());
+  return page;
+}
+
+/** A roof, or another mesh, with a note, a view and three variants; the last is shown. */
+async function author(open: () => Promise<Page> = openedPage): Promise<Page> {
+  const page = await open();
   for (const [k, by] of [0.2, 0.4, 0.6].entries()) {
     await raise(page, by);
     await takeSnapshot(page, `Variant ${k + 1}`);
@@ -220,6 +243,37 @@ describe("snapshots that travel with a design", () => {
     expect(drawn.every(({ within }) => within)).toBe(true);
     expect(drawn.filter(({ label }) => label.startsWith("opening snapshot"))).toEqual([]);
     expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+  });
+
+  it("of a file's mesh never make the status count points of another mesh than that in view", async () => {
+    const page = await author(withFile);
+    const read = await decodeLink(await linkOf(page));
+    if (!read.ok) throw new Error(read.reason);
+    const other = await openedPage();
+    const counts: (readonly [inView: number, counted: number, moved: number])[] = [];
+    const stop = effect(() => {
+      const inView = (other.displayMesh.value?.display.length ?? 0) / 3;
+      const counted = other.mesh.value?.report.vertices ?? 0;
+      counts.push([inView, counted, other.figures.value.movedVertices]);
+    });
+    let designThere = false;
+    other.activity.subscribe((activity) => {
+      if (!activity?.label.startsWith("opening snapshot")) return;
+      designThere = true;
+      expect(other.mesh.value?.report.vertices).toBe(17 * 17);
+      expect(other.draft.value?.shape).toEqual(page.draft.value?.shape);
+    });
+    expect(await replay(other, read.value)).toBe(true);
+    stop();
+    expect(designThere).toBe(true);
+    expect(other.snapshots.value.map(({ name }) => name)).toHaveLength(3);
+    // Of the sample, then of the file, at no time of both.
+    expect(new Set(counts.map(([inView]) => inView)).size).toBe(2);
+    expect(counts.at(-1)?.[0]).toBe(17 * 17);
+    for (const [inView, counted, moved] of counts) {
+      expect(counted).toBe(inView);
+      expect(moved).toBeLessThanOrEqual(inView);
+    }
   });
 
   it("leave the design there where somebody cancels before all snapshots are there", async () => {
