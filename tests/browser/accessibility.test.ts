@@ -189,7 +189,13 @@ describe.each([
   },
 );
 
-it("forced colours leave tracks of sliders and the scale visible", async () => {
+/** 1280 × 800 at 200 %, and as narrow as WCAG's reflow asks for. */
+const SMALL = [
+  ["200 %", { width: 640, height: 400 }],
+  ["320 px", { width: 320, height: 640 }],
+] as const;
+
+it("forced colours leave tracks of sliders and the scale visible, an edit at 200 % and 320 px all its controls", async () => {
   const page = await site.open({ forcedColors: "active" });
   const track = page.getByRole("slider", { name: "Softness" });
   const width = (await track.boundingBox())?.width ?? 0;
@@ -201,5 +207,16 @@ it("forced colours leave tracks of sliders and the scale visible", async () => {
   const scale = await readPng(await page.locator(".legend-bar").first().screenshot());
   expect(scale.at(4, 4).join(","), "the two ends").not.toBe(scale.at(200, 4).join(","));
   await expectClean(page, "forced colours");
+  await typeTarget(page, "+40cm");
+  for (const [name, viewport] of SMALL) {
+    await page.setViewportSize(viewport);
+    await idle(page);
+    await expectClean(page, `edited in forced colours at ${name}`);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(wide, `at ${name}`).toBeLessThanOrEqual(viewport.width);
+    await page.emulateMedia({ forcedColors: "none" });
+    await expectClean(page, `edited at ${name}`);
+    await page.emulateMedia({ forcedColors: "active" });
+  }
   await page.context().close();
 });
