@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
 import { exportAs, idle, openFile, status, typeTarget } from "../browser/support/page.ts";
+import { TEST_LIMIT } from "../patience.ts";
 import { site } from "./support/site.ts";
 
 const SIZE = 10;
@@ -117,7 +118,9 @@ function net(count: number, height: (x: number, y: number) => number): string {
 const saddle = (count: number, rise: number): string =>
   net(count, (x, y) => (rise * x * y) / count);
 
-it("where no flat mesh is near, shows how flat panels get near the file, and what else there is", async () => {
+it("where no flat mesh is near, shows how flat panels get near the file, and what else there is", {
+  timeout: 2 * TEST_LIMIT,
+}, async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await openFile(page, "saddle.obj", saddle(20, 3));
   const why = page.getByText(/^Not every panel can be exactly flat near the file\./);

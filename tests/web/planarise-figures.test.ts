@@ -45,7 +45,7 @@ it("the sharpest fold is of panels that have a neighbour, too", () => {
   expect(sharpestFold(Float32Array.from([-1]))).toBeNull();
 });
 
-it("ways are sorted by how far points move, those that miss what they say and unknown ones last", () => {
+it("ways are sorted by how far points move, those that miss what they say and unknown ones last, refused ones left out", () => {
   const ways = ["unknown", "missed", "far", "near"].map((label) => ({
     label,
     how: FAIR_FLAT,
@@ -64,6 +64,9 @@ it("ways are sorted by how far points move, those that miss what they say and un
     "unknown",
   ]);
   expect(byCost(ways, new Map())).toEqual(ways);
+  const refused = byCost(ways, new Map([...costs, ["far", null]]));
+  expect(refused.map(({ label }) => label)).toEqual(["near", "missed", "unknown"]);
+  expect(byCost(ways, new Map(ways.map(({ label }) => [label, null])))).toEqual(ways);
 });
 
 it("a cost names the move, the panels that stay bent and those that are split", () => {

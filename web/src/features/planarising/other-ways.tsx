@@ -8,7 +8,7 @@ import { formatLength, type Unit } from "../../quantity/units.ts";
 import type { OpenedMesh, Planarising } from "../../solver/protocol.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { EAGER_POINTS } from "./planarise-preview.ts";
-import { MOST_BENT, nearWay } from "./stops.ts";
+import { MOST_BENT, nearerWay } from "./stops.ts";
 import { byCost, type Cost, type OtherWay, type WayCosts } from "./way-costs.ts";
 
 /** Of all panels, percent: as few of them as are found are split. */
@@ -35,7 +35,6 @@ export function otherWays(
   trial: Trial | null,
   unit: Unit,
 ): readonly OtherWay[] {
-  const near = nearWay(wish, opened);
   const ways: OtherWay[] = [];
   const add = (label: string, changed: Partial<Planarising>, percent = share): void =>
     void ways.push({ label, how: { ...wish, ...changed }, share: percent });
@@ -43,7 +42,8 @@ export function otherWays(
   if (wish.within > 0 && !trial) add("Let points move farther", { within: 0 });
   if (wish.flat < MOST_BENT && opened.report.worstMmPerM > MOST_BENT)
     add(`Flat to within ${MOST_BENT} mm/m`, { flat: MOST_BENT });
-  if (trial && near.within < trial.mesh.report.planarising.largest) {
+  if (trial) {
+    const near = nearerWay(wish, opened, trial.mesh.report.planarising.largest);
     const label = `Move points by ${formatLength(near.within, unit)} at most`;
     add(label, { within: near.within, flat: near.flat });
   }

@@ -51,6 +51,12 @@ const within = (share: number, how: Planarising, opened: OpenedMesh): Planarisin
 export const nearWay = (how: Planarising, opened: OpenedMesh): Planarising =>
   within(STOPS[stopOf(how.smooth)]?.near ?? FAR, how, opened);
 
+/** The same for who goes as far as `largest`: nearer than that, however far the place of the slider goes. */
+export function nearerWay(how: Planarising, opened: OpenedMesh, largest: number): Planarising {
+  const near = nearWay(how, opened);
+  return near.within < largest ? near : within(FAR, how, opened);
+}
+
 /** As flat as panels get within the smallest share of all stops, which is soon known. */
 export const quickWay = (how: Planarising, opened: OpenedMesh): Planarising =>
   within(Math.min(...STOPS.map(({ near }) => near)), how, opened);

@@ -31,8 +31,8 @@ export interface Cost {
 }
 
 interface Costs {
-  /** By the ways' labels; a way that was refused has none. */
-  readonly known: ReadonlyMap<string, Cost>;
+  /** By the ways' labels; null: refused. */
+  readonly known: ReadonlyMap<string, Cost | null>;
   readonly done: boolean;
 }
 
@@ -50,17 +50,21 @@ function costOf(trial: Trial, design: Design): Cost {
   };
 }
 
-/** Those that do as they say first, of these the least move; a way whose cost is not known stays behind. */
+/** Those that do as they say first, of these the least move; a way whose cost is not known stays behind, one
+ * that was refused is left out where there is another. */
 export function byCost(
   ways: readonly OtherWay[],
-  costs: ReadonlyMap<string, Cost>,
+  costs: ReadonlyMap<string, Cost | null>,
 ): readonly OtherWay[] {
+  const open = ways.filter(({ label }) => costs.get(label) !== null);
   const rank = ({ label }: OtherWay): number => {
     const cost = costs.get(label);
     return cost ? Number(!cost.met) : 2;
   };
   const move = ({ label }: OtherWay): number => costs.get(label)?.move ?? 0;
-  return [...ways].sort((a, b) => rank(a) - rank(b) || move(a) - move(b));
+  return [...(open.length > 0 ? open : ways)].sort(
+    (a, b) => rank(a) - rank(b) || move(a) - move(b),
+  );
 }
 
 export class WayCosts {
@@ -88,12 +92,12 @@ export class WayCosts {
   async find(ways: readonly OtherWay[]): Promise<void> {
     this.end();
     const mine = this.#newest;
-    const known = new Map<string, Cost>();
+    const known = new Map<string, Cost | null>();
     this.now.value = { known, done: false };
     for (const way of ways) {
       const trial = await this.#try(way, mine);
       if (mine !== this.#newest) return;
-      if (trial) known.set(way.label, costOf(trial, this.#design));
+      known.set(way.label, trial && costOf(trial, this.#design));
       this.now.value = { known: new Map(known), done: false };
     }
     this.#trials.end();
