@@ -222,7 +222,7 @@ export function drawPatch(
     height / 2 + size * (-dot(point, UP) - (top + bottom) / 2),
   ];
   const palette = window.matchMedia("(prefers-color-scheme: dark)").matches ? DARK : LIGHT;
-  const ramps = [makeRamp(palette.displacement), makeRamp(palette.planarity)] as const;
+  const ramps = [makeRamp(palette.displacement), makeRamp(palette.lowered)] as const;
   const pen = { context, palette, ramps, onPaper };
   const [before, at] = [placesOf(mesh, patch.from), placesOf(mesh, shape)];
   const moves = differences(mesh, patch.from, shape);

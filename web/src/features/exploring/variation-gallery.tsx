@@ -228,7 +228,7 @@ export function VariationGallery() {
     <>
       <p class="quiet small">
         Designs to choose from, each flat already, coloured by how far it is from the edit: blue
-        towards you, amber away. Under each: its largest move, how many points move, and where it is
+        towards you, green away. Under each: its largest move, how many points move, and where it is
         furthest from the edit. Rest on one to see it in the view.
       </p>
       <Tiles shown={shown} patch={patch.value} />
