@@ -85,6 +85,19 @@ describe("the pointer on a point", () => {
     await page.context().close();
   });
 
+  it("leaves it when a box is drawn from there, before the box is done", async () => {
+    const page = await site.openVault();
+    const at = await hintedPoint(page);
+    await page.mouse.move(at.x, at.y);
+    await expect.poll(() => pointFigure(page)).toMatch(/^Point \d+ untouched$/);
+    await page.keyboard.down("Shift");
+    await press(page, at, { x: at.x + 6, y: at.y - 6 });
+    await expect.poll(() => pointFigure(page)).toBe("");
+    await page.mouse.up();
+    await page.keyboard.up("Shift");
+    await page.context().close();
+  });
+
   it("and a chosen point: the figure follows the drag, and the colours' meaning", async () => {
     const page = await site.openVault({ size: 21 });
     const at = await hintedPoint(page);

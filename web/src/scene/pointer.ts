@@ -211,6 +211,8 @@ export class PointerTool {
     press.moved ||= Math.hypot(x - press.x, y - press.y) > slack;
     if (!press.moved) return;
     if (isArea(press.kind)) {
+      // The point that it began at is no longer looked at.
+      this.#events.hover(null, null);
       press.outline =
         press.kind === "box" ? boxAround(press, { x, y }) : extended(press.outline, { x, y });
       this.#events.outline(press.outline);
