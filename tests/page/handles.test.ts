@@ -25,6 +25,7 @@ it("many pins are one row, which selects, lists and removes them; P leaves no ha
   await expect.poll(() => group.count()).toBe(1);
   const pinned = Number.parseInt((await group.textContent()) ?? "", 10);
   expect(pinned).toBeGreaterThan(24);
+  expect(await page.locator(".marker.pin.small").count()).toBe(pinned);
   // The row of all of them and that of the point that leads.
   const rows = table(page).locator("tbody").getByRole("row");
   expect(await rows.count()).toBe(2);
@@ -53,6 +54,8 @@ it("Add handle takes one of many, a drag of many is one row, and all can be remo
   await page.getByRole("button", { name: "Add handle" }).click();
   await idle(page);
   expect((await handleRows(page)).length).toBe(1);
+  const small = page.locator(".marker.handle.small");
+  expect(await small.count()).toBe(0);
   await selectMany(page, at);
   await press(page, at, { x: at.x, y: at.y - 40 });
   await page.mouse.up();
@@ -60,7 +63,12 @@ it("Add handle takes one of many, a drag of many is one row, and all can be remo
   await idle(page);
   const group = table(page).getByRole("rowheader", { name: /^\d+ handles/ });
   await expect.poll(() => group.count()).toBe(1);
-  expect(Number.parseInt((await group.textContent()) ?? "", 10)).toBeGreaterThan(24);
+  const dragged = Number.parseInt((await group.textContent()) ?? "", 10);
+  expect(dragged).toBeGreaterThan(24);
+  // Their marks and the lines to where they were do not hide the bump.
+  expect(await small.count()).toBe(await page.locator(".marker.handle").count());
+  expect(await small.count()).toBeGreaterThanOrEqual(dragged);
+  expect(await page.locator(".pull.thin").count()).toBe(await page.locator(".pull").count());
   expect(await table(page).locator("tbody").getByRole("row").count()).toBe(2);
   await page.getByRole("button", { name: "Remove all" }).click();
   await idle(page);

@@ -6,12 +6,17 @@ import { type Place, project, type View } from "./picking.ts";
 /** More marks than this would hide the model. */
 const LIMIT = 400;
 
-/** More pins than this are small marks: they hold a region, and are not one by one. */
-const MANY_PINS = 24;
+/** More marks of a kind than this are small: together they tell a region, and are not one by one. */
+export const MANY = 24;
+
+type Kind = "handle" | "pin" | "image" | "support" | "point" | "hover" | "first";
+
+/** The kinds that shrink where they are dense. */
+const DENSE: readonly Kind[] = ["handle", "pin", "image"];
 
 export interface Marker {
   readonly vertex: number;
-  readonly kind: "handle" | "pin" | "image" | "support" | "point" | "hover" | "first";
+  readonly kind: Kind;
   readonly selected: boolean;
 }
 
@@ -26,11 +31,12 @@ export class Markers {
   set(markers: readonly Marker[]): void {
     this.#markers = markers.slice(0, LIMIT);
     this.#elements.resize(this.#markers.length);
-    const small = this.#markers.filter(({ kind }) => kind === "pin").length > MANY_PINS;
+    const count = (of: Kind): number => this.#markers.filter(({ kind }) => kind === of).length;
+    const small = DENSE.filter((kind) => count(kind) > MANY);
     this.#markers.forEach(({ kind, selected }, k) => {
       const element = this.#elements.at(k);
       if (!element) return;
-      element.className = `marker ${kind}${selected ? " selected" : ""}${small && kind === "pin" ? " small" : ""}`;
+      element.className = `marker ${kind}${selected ? " selected" : ""}${small.includes(kind) ? " small" : ""}`;
     });
   }
 

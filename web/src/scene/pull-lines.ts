@@ -2,6 +2,7 @@
 // A line from where each handle was to where it is pulled, over the canvas as the handles are.
 import type { Point } from "../design/design.ts";
 import { ElementPool } from "./element-pool.ts";
+import { MANY } from "./markers.ts";
 import { project, type View } from "./picking.ts";
 
 export interface Pull {
@@ -33,8 +34,11 @@ export class PullLines {
   set(pulls: readonly Pull[]): void {
     this.#pulls = pulls.slice(0, LIMIT);
     this.#lines.resize(this.#pulls.length);
-    for (const [k, { open }] of this.#pulls.entries())
+    const thin = this.#pulls.length > MANY;
+    for (const [k, { open }] of this.#pulls.entries()) {
       this.#lines.at(k)?.classList.toggle("open", open);
+      this.#lines.at(k)?.classList.toggle("thin", thin);
+    }
   }
 
   /** `base`: display coordinates of all points before the edit. */
