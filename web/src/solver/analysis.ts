@@ -3,7 +3,14 @@
 
 import { newSliver } from "virtual:core-defaults";
 import type { Analysis, PlanishModule, Session } from "@wasm/planish.mjs";
-import type { AlsoMeasured, FreedomReport, PanelMeasures, Shape, Targets } from "./protocol.ts";
+import type {
+  AlsoMeasured,
+  Fairness,
+  FreedomReport,
+  PanelMeasures,
+  Shape,
+  Targets,
+} from "./protocol.ts";
 
 /** What sliders do to an edit. */
 export interface ShapeFamily {
@@ -54,8 +61,8 @@ export class DesignAnalysis {
       .reduce((count, kind) => count + (kind === newSliver ? 1 : 0), 0);
   }
 
-  /** Measures a shape that need not be shown. */
-  measure({ moved, positions }: Shape): PanelMeasures {
+  /** Measures a shape that need not be shown; how it bends, by `fairness` if that is given. */
+  measure({ moved, positions }: Shape, fairness?: Fairness): PanelMeasures {
     const analysis = this.#current();
     analysis.show(moved, positions);
     return {
@@ -64,7 +71,7 @@ export class DesignAnalysis {
       nodes: analysis.nodesToRemake(),
       damage: analysis.panelDamage(),
       folds: analysis.panelFolds(),
-      bending: null,
+      bending: fairness ? analysis.vertexBending(this.#module.FairnessKind[fairness]) : null,
       defects: null,
     };
   }

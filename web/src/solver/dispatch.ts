@@ -10,7 +10,7 @@ import { type Edited, Edits } from "./edits.ts";
 import type { FileFormat } from "./file-formats.ts";
 import { openedBuffers, readMesh } from "./opened-mesh.ts";
 import type {
-  AlsoMeasured,
+  PanelMeasures,
   Reply,
   Request,
   Shape,
@@ -294,10 +294,10 @@ export class Dispatcher {
         this.#postProjected(job);
         return;
       case "panels":
-        this.#postMeasures(job, request.also);
+        this.#postMeasures(job, this.#analysis.panels(request.also));
         return;
       case "measure":
-        this.#post({ kind: "panels", job, measures: this.#analysis.measure(request.shape) }, []);
+        this.#postMeasures(job, this.#analysis.measure(request.shape, request.fairness));
         return;
       case "freedom":
         this.#post({ kind: "freedom", job, freedom: this.#analysis.freedom(request.targets) }, []);
@@ -305,8 +305,7 @@ export class Dispatcher {
     }
   }
 
-  #postMeasures(job: number, also: AlsoMeasured): void {
-    const measures = this.#analysis.panels(also);
+  #postMeasures(job: number, measures: PanelMeasures): void {
     const parts: readonly unknown[] = Object.values(measures);
     const buffers = parts.flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : []));
     this.#post({ kind: "panels", job, measures }, buffers);

@@ -171,8 +171,9 @@ export type Request =
   /** What `vary` and then `exact` would give; the design shown stays. */
   | { kind: "project"; job: number; coefficients: readonly number[] } // → projected
   | { kind: "panels"; job: number; also: AlsoMeasured } // → panels
-  /** Measures any shape of the mesh that is open, with folds; the design shown stays. */
-  | { kind: "measure"; job: number; shape: Shape } // → panels
+  /** Measures any shape of the mesh that is open, with folds, and how it bends by `fairness`; the design
+   * shown stays. */
+  | { kind: "measure"; job: number; shape: Shape; fairness?: Fairness } // → panels
   | { kind: "freedom"; job: number; targets: Targets } // → freedom
   /** Does a design again on the mesh that is open. */
   | { kind: "replay"; job: number; design: Reports.DesignValue } // → replayed

@@ -32,6 +32,14 @@ function shortfallOf(
   return { vertex, length, noticeable };
 }
 
+/** How far a handle of any design of the mesh is from its target at most, model units; null without handles. */
+export function largestShortfall(page: Page, { handles, shape }: Design): number | null {
+  const all = handles.flatMap(({ vertex, target, pinned }) =>
+    pinned ? [] : [between(target, shownPoint(page, vertex, shape))],
+  );
+  return all.length > 0 ? Math.max(...all) : null;
+}
+
 /** The shortfalls of the last finished design; pinned points have no target. */
 export const shortfalls = kept((page) =>
   computed((): readonly Shortfall[] => {

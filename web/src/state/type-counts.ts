@@ -43,11 +43,14 @@ async function countBefore(page: Page, choice: TypesChoice): Promise<number | nu
   return count;
 }
 
-/** null where nobody asked for types yet, or they could not be counted. */
-export async function countTypes(page: Page, shape: Shape): Promise<TypeCount | null> {
-  if (!page.shownTypes.peek()) return null;
+/** null where they could not be counted. */
+export async function countTypesOf(page: Page, shape: Shape): Promise<TypeCount | null> {
   const choice = page.typesChoice.peek();
   const before = await countBefore(page, choice);
   const now = before === null ? null : await countOf(page, choice, shape);
   return before === null || now === null ? null : { now, before };
 }
+
+/** null where nobody asked for types yet, too. */
+export const countTypes = async (page: Page, shape: Shape): Promise<TypeCount | null> =>
+  page.shownTypes.peek() ? countTypesOf(page, shape) : null;

@@ -9,7 +9,6 @@ import { DARK, LIGHT } from "../../scene/palette.ts";
 import { cssGradient } from "../../scene/ramp.ts";
 import { readCamera } from "../../state/camera.ts";
 import { formatDegrees } from "../../state/fold.ts";
-import type { Page } from "../../state/page.ts";
 import { adoptSnapshot } from "../../state/snapshots.ts";
 import { typeWords } from "../../state/type-counts.ts";
 import { CompareView, linkViews } from "./compare-view.ts";
@@ -97,52 +96,58 @@ function AdoptButton({ id, name }: Pick<Candidate, "id" | "name">) {
   );
 }
 
-const COLUMNS: readonly (readonly [string, (figures: Figures) => string])[] = [
+type Words = (figures: Figures, length: (model: number | null) => string) => string;
+
+const typesIn = ({ types }: Figures): string =>
+  types === undefined ? "…" : types ? typeWords(types) : "–";
+
+const COLUMNS: readonly (readonly [string, Words])[] = [
   ["Points moved", ({ moved }) => String(moved)],
   ["Must be made again", ({ changed }) => String(changed)],
   ["Spoilt", ({ spoilt }) => String(spoilt)],
   ["Sharpest fold", ({ fold }) => formatDegrees(fold)],
   ["Smallest angle", ({ angle }) => formatDegrees(angle)],
   ["Largest panel", ({ area }) => `${area.toPrecision(3)} m²`],
+  ["Largest slide", ({ slide }, length) => length(slide)],
+  ["Short of target", ({ short }, length) => length(short)],
+  ["Largest bend", ({ bend }, length) => length(bend)],
+  ["Types", typesIn],
 ];
-
-/** Types, too, where they were asked for. */
-function columnsOf(page: Page): typeof COLUMNS {
-  if (page.shownTypes.value === null) return COLUMNS;
-  return [...COLUMNS, ["Types", ({ types }) => (types ? typeWords(types) : "–")]];
-}
 
 function Table({ shown }: { shown: readonly Candidate[] }) {
   const page = usePage();
-  const columns = columnsOf(page);
+  const length = (model: number | null): string =>
+    model === null ? "–" : formatLength(model, page.unit.value);
   return (
-    <table class="compare-table" aria-label="Comparison">
-      <thead>
-        <tr>
-          <th scope="col">Design</th>
-          {columns.map(([title]) => (
-            <th key={title} scope="col">
-              {title}
-            </th>
-          ))}
-          <td />
-        </tr>
-      </thead>
-      <tbody>
-        {shown.map(({ id, name }) => {
-          const figures = comparedFigures(page).value.get(id);
-          return (
-            <tr key={id}>
-              <th scope="row">{name}</th>
-              {columns.map(([title, words]) => (
-                <td key={title}>{figures ? words(figures) : "…"}</td>
-              ))}
-              <td>{id !== "" && <AdoptButton id={id} name={name} />}</td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
+    <div class="compare-figures">
+      <table class="compare-table" aria-label="Comparison">
+        <thead>
+          <tr>
+            <th scope="col">Design</th>
+            {COLUMNS.map(([title]) => (
+              <th key={title} scope="col">
+                {title}
+              </th>
+            ))}
+            <td />
+          </tr>
+        </thead>
+        <tbody>
+          {shown.map(({ id, name }) => {
+            const figures = comparedFigures(page).value.get(id);
+            return (
+              <tr key={id}>
+                <th scope="row">{name}</th>
+                {COLUMNS.map(([title, words]) => (
+                  <td key={title}>{figures ? words(figures, length) : "…"}</td>
+                ))}
+                <td>{id !== "" && <AdoptButton id={id} name={name} />}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
   );
 }
 

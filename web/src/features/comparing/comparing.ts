@@ -9,8 +9,9 @@ import { displayOfShape } from "../../solver/shape-display.ts";
 import { client } from "../../state/connection.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
+import { largestShortfall } from "../../state/shortfall.ts";
 import { sameMesh } from "../../state/showing.ts";
-import { countTypes, type TypeCount } from "../../state/type-counts.ts";
+import { countTypesOf, type TypeCount } from "../../state/type-counts.ts";
 
 const MOST_COMPARED = 4;
 
@@ -31,8 +32,14 @@ export interface Figures {
   readonly angle: number;
   /** Square metres. */
   readonly area: number;
-  /** null where nobody asked for types. */
-  readonly types: TypeCount | null;
+  /** Model units; null in records from before it was measured. */
+  readonly slide: number | null;
+  /** How far a handle is from its target at most, model units; null without handles. */
+  readonly short: number | null;
+  /** How sharply the edit bends at most, by its own operator, model units. */
+  readonly bend: number;
+  /** undefined until they are counted, which comes last; null where they could not be. */
+  readonly types: TypeCount | null | undefined;
 }
 
 /** The design shown and the snapshots of its mesh. */
@@ -101,15 +108,17 @@ function largestPanel(opened: OpenedMesh, shape: Shape, modelUnit: Unit): number
 
 const HEALTH = { angle: 2, stride: 4 } as const;
 
-type Measured = Omit<Figures, "types">;
+const largest = (values: Float32Array | null): number =>
+  values?.reduce((most, value) => Math.max(most, value), 0) ?? 0;
 
 function figuresOf(
   page: Page,
-  shape: Shape,
+  design: Design,
   measures: PanelMeasures,
   opened: OpenedMesh,
-): Measured {
-  const { health, damage, folds } = measures;
+): Figures {
+  const { shape, report } = design;
+  const { health, damage, folds, bending } = measures;
   let angle = 180;
   for (let k = HEALTH.angle; k < health.length; k += HEALTH.stride)
     angle = Math.min(angle, health[k] ?? angle);
@@ -117,24 +126,37 @@ function figuresOf(
     moved: shape.moved.length,
     changed: countHealth(health).changed,
     spoilt: damage.reduce((count, kind) => count + (kind > 0 ? 1 : 0), 0),
-    fold: folds?.reduce((sharpest, fold) => Math.max(sharpest, fold), 0) ?? 0,
+    fold: largest(folds),
     angle,
     area: largestPanel(opened, shape, page.unit.value),
+    slide: report.motion?.slide ?? null,
+    short: largestShortfall(page, design),
+    bend: largest(bending),
+    types: undefined,
   };
 }
 
-/** Measures the compared designs that have no figures yet. */
+function remember(page: Page, id: string, figures: Figures): void {
+  comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
+}
+
+/** Measures the compared designs that have no figures yet; then counts their types. */
 export async function measureCompared(page: Page): Promise<void> {
   const opened = page.mesh.value;
   for (const { id, design } of compared(page).value) {
     if (!opened || comparedFigures(page).value.has(id)) continue;
+    const { shape, settings } = design;
     const answer = await client(page)
-      .ask({ kind: "measure", shape: design.shape })
+      .ask({ kind: "measure", shape, fairness: settings.fairness })
       .catch(() => null);
     if (answer?.kind !== "panels" || !answer.measures || opened !== page.mesh.value) return;
-    const measured = figuresOf(page, design.shape, answer.measures, opened);
-    const figures = { ...measured, types: await countTypes(page, design.shape) };
-    if (opened !== page.mesh.value) return;
-    comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
+    remember(page, id, figuresOf(page, design, answer.measures, opened));
+  }
+  for (const { id, design } of compared(page).peek()) {
+    if (comparedFigures(page).peek().get(id)?.types !== undefined) continue;
+    const types = await countTypesOf(page, design.shape);
+    const figures = comparedFigures(page).peek().get(id);
+    if (opened !== page.mesh.peek()) return;
+    if (figures) remember(page, id, { ...figures, types });
   }
 }
