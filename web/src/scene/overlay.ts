@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is drawn over the canvas at constant size: points, the first visit's sentence, the selected
 // panel's figure, and the line around what is being selected.
+import { cleanView } from "../state/clean-view.ts";
 import { isHidden } from "../state/hidden-panels.ts";
 import type { Page } from "../state/page.ts";
 import { sideOf } from "./label-side.ts";
@@ -27,6 +28,7 @@ export interface OverlayParts {
 const ROOM = 124;
 
 function markersFor(page: Page): Marker[] {
+  if (cleanView(page).value) return [];
   const hovered = page.visited.value;
   const chosen = new Set(page.selection.value);
   const markers: Marker[] = page.handles.value.map(({ vertex, pinned }) => ({
@@ -91,10 +93,9 @@ export class Overlay {
     this.#markers.place(points, view);
     this.#pulls.place(base, view);
     const { hint, point } = this.#parts;
-    const at =
-      this.#page.hintVertex.value === null || this.#page.selected.value !== null
-        ? null
-        : project(points, this.#page.hintVertex.value, view);
+    const [first, clean] = [this.#page.hintVertex.value, cleanView(this.#page).value];
+    const unsaid = first === null || this.#page.selected.value !== null || clean;
+    const at = unsaid ? null : project(points, first, view);
     putAt(hint, at);
     hint.dataset.side = at !== null && at.y < ROOM ? "below" : "above";
     this.#placePoint(point, points, view);
@@ -119,7 +120,7 @@ export class Overlay {
       this.#page.visited.value ??
       (this.#page.selection.value.length === 1 ? this.#page.selected.value : null);
     const place = seen === null ? null : project(points, seen, view);
-    if (seen === null || !place) {
+    if (seen === null || !place || cleanView(this.#page).value) {
       putAt(element, null);
       return;
     }

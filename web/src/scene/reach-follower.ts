@@ -2,6 +2,7 @@
 // The line of the reach lies around what is pulled, or about to be, and its knob sets the reach.
 
 import { effect, untracked } from "@preact/signals";
+import { cleanView } from "../state/clean-view.ts";
 import { commitSettings, previewSettings } from "../state/editing.ts";
 import { hiddenPanels } from "../state/hidden-panels.ts";
 import { putAt } from "./overlay.ts";
@@ -68,8 +69,8 @@ export class ReachFollower {
     const next = chosen === null || !page.baseFlat.value ? [] : [chosen];
     const length = limits.reachLength * opened.report.scale;
     // Around panels that are out of the picture the line would lead through the air.
-    const whole = hiddenPanels(page).value.size === 0;
-    const seeds = !whole ? [] : pulled.length > 0 ? pulled : next;
+    const shown = hiddenPanels(page).value.size === 0 && !cleanView(page).value;
+    const seeds = !shown ? [] : pulled.length > 0 ? pulled : next;
     this.#line.draw(shell, seeds, { rings: limits.reach, length });
     stage.invalidate();
   }

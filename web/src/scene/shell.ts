@@ -203,9 +203,10 @@ export class Shell {
     return end > begin ? this.corners.slice(3 * begin, 3 * end) : null;
   }
 
-  showBase(on: boolean): void {
+  /** `alone`: what is drawn has nothing of the other beside it. */
+  showBase(on: boolean, alone: boolean): void {
     for (const v of this.#moved) this.#place(v, on ? this.base : this.current);
-    this.#lines.ghost.object.visible = !on;
+    this.#lines.ghost.object.visible = !on && !alone;
     this.#uploadPositions();
   }
 

@@ -7,6 +7,7 @@ import { followContext } from "../features/context/context-follower.ts";
 import { followHiding } from "../features/hiding/hiding-follower.ts";
 import { followOffset } from "../features/second-layer/offset-follower.ts";
 import { FingerFollower } from "../features/touch/finger-follower.ts";
+import { cleanView } from "../state/clean-view.ts";
 import { frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
 import { fetchPart } from "../state/later.ts";
@@ -217,7 +218,7 @@ export class Viewport {
         this.stage.invalidate();
       }),
       effect(() => {
-        this.sight.shell?.showBase(this.#page.showBefore.value);
+        this.#showBase();
         this.#overlay.showPulls(!this.#page.showBefore.value);
         this.stage.moved();
       }),
@@ -233,7 +234,7 @@ export class Viewport {
       effect(() => {
         this.#overlay.update();
         this.#placeGizmo();
-        this.#overlay.setPulls(askedPulls(this.#page));
+        this.#overlay.setPulls(cleanView(this.#page).value ? [] : askedPulls(this.#page));
         this.stage.invalidate();
       }),
       effect(() => {
@@ -245,6 +246,10 @@ export class Viewport {
     return () => {
       for (const stop of stops) stop();
     };
+  }
+
+  #showBase(): void {
+    this.sight.shell?.showBase(this.#page.showBefore.value, cleanView(this.#page).value);
   }
 
   #outline(panel: number | null): void {
@@ -267,6 +272,7 @@ export class Viewport {
   #beginAnew(): void {
     this.#reach.layAnew();
     this.#overlay.setPanel(null);
+    this.#showBase();
     this.#resize();
   }
 
@@ -288,7 +294,7 @@ export class Viewport {
   /** Arrows stand in the middle of the chosen points that are not pinned; the last of them leads. */
   #placeGizmo(): void {
     const [{ shell }, page] = [this.sight, this.#page];
-    const usable = page.ready.value && page.draft.value;
+    const usable = page.ready.value && page.draft.value && !cleanView(page).value;
     const loose = page.selection.value.filter((v) => !handleOf(page, v)?.pinned);
     const leader = loose.at(-1);
     if (leader === undefined || !shell || !usable) {

@@ -37,6 +37,7 @@ export const SECTIONS: readonly Section[] = [
   { place: "check", name: "Exact", Content: ExactSection },
   section("check", "LastSolveSection", () => import("../features/advanced/last-solve.tsx")),
   section("check", "NoteSection", () => import("../features/notes/note-section.tsx")),
+  section("view", "CleanSection", () => import("../features/clean-view/clean-section.tsx")),
   section("view", "SectionPlaneSection", () => import("../features/section/section-controls.tsx")),
   section("view", "NumbersSection", () => import("../features/numbers/numbers-section.tsx")),
   section("view", "ViewsSection", () => import("../features/views/views-section.tsx")),

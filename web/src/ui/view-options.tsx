@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What changes the view and not the design, beside the buttons of the view: it stays open while the view is used.
 import { useRef } from "preact/hooks";
+import { cleanView } from "../state/clean-view.ts";
 import { viewOptionsShown } from "../state/inspector.ts";
 import { sectionPlane } from "../state/shown-section.ts";
 import { usePage } from "./page-context.ts";
@@ -9,6 +10,7 @@ import { SECTIONS } from "./sections.tsx";
 export function ViewOptions() {
   const page = usePage();
   const shown = viewOptionsShown(page);
+  const changed = sectionPlane(page).value !== null || cleanView(page).value;
   const button = useRef<HTMLButtonElement>(null);
   return (
     <div class="view-options">
@@ -31,8 +33,8 @@ export function ViewOptions() {
       <button
         ref={button}
         type="button"
-        class={sectionPlane(page).value ? "view-options-button on" : "view-options-button"}
-        title="Section, numbers of panels and points, named views"
+        class={changed ? "view-options-button on" : "view-options-button"}
+        title="Clean view, section, numbers of panels and points, named views"
         aria-expanded={shown.value}
         aria-controls="view-options"
         onClick={() => {

@@ -5,6 +5,7 @@ import { SAMPLES } from "../../design/samples.ts";
 import { NUMBER_COMMANDS } from "../../features/numbers/numbering.ts";
 import { SELECTION_COMMANDS } from "../../features/selecting/selection-commands.ts";
 import { KEEP_VIEW } from "../../features/views/named-views.ts";
+import { toggleCleanView } from "../../state/clean-view.ts";
 import { goToRule, goToTab, RULES, rulesInOrder, viewOptionsShown } from "../../state/inspector.ts";
 import { openSample } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
@@ -42,6 +43,7 @@ const PLACES: readonly Command[] = [
       viewOptionsShown(page).value = true;
     },
   },
+  { label: "Clean view", run: toggleCleanView },
 ];
 
 export { viewCommands } from "../../features/views/named-views.ts";
