@@ -74,10 +74,16 @@ it("says what sliders do and where they stop, and shows the design that is point
   const tile = page.getByRole("button", { name: /^Adopt design 1/ });
   await tile.hover();
   await expect.poll(async () => (await view.screenshot()).equals(own)).toBe(false);
-  expect(await tile.textContent()).toMatch(/fold [\d.]+°\d+ to make again/);
-  // Where and which way each is furthest from the edit tells them apart.
-  const figures = await page.locator(".tile-figures").allTextContents();
-  for (const words of figures) expect(words).toMatch(/points[+−][\d.]+ mm at \d+fold/);
-  expect(new Set(figures).size).toBe(figures.length);
+  // Under each how far it is from the edit; where and which way tells them apart.
+  for (const words of await page.locator(".tile-figures").allTextContents())
+    expect(words).toMatch(/^[+−][\d.]+ mm$/);
+  const said = await page
+    .locator(".tiles button.tile")
+    .evaluateAll((all) => all.map((one) => one.getAttribute("title") ?? ""));
+  for (const words of said)
+    expect(words).toMatch(
+      /from the edit [\d.]+ mm at point \d+, .* fold [\d.]+° \(was [\d.]+°\), \d+ panels to make again/,
+    );
+  expect(new Set(said).size).toBe(said.length);
   await page.context().close();
 });

@@ -271,7 +271,18 @@ async function expectCalm(page: Page, state: string): Promise<void> {
   }
 }
 
-it("no tab is more than one and a half screens, at rest or after a long drag", async () => {
+async function showGallery(page: Page): Promise<void> {
+  await showTab(page, "Explore");
+  await page.getByRole("button", { name: "Find variations" }).click();
+  await page.getByRole("slider", { name: "Variation 4" }).waitFor();
+  const gallery = page.getByRole("list", { name: "Gallery of variations" });
+  await expect.poll(() => gallery.getAttribute("aria-busy"), { timeout: 60_000 }).toBe("false");
+  await idle(page);
+  expect(await gallery.getByRole("listitem").count()).toBeGreaterThan(6);
+  await expect.poll(() => page.getByText("Stopped by panel").count()).toBeGreaterThan(0);
+}
+
+it("no tab is more than one and a half screens, at rest, after a long drag or with a gallery", async () => {
   const page = await site.openSmall({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Group points" }).waitFor();
   const at = await hintedPoint(page);
@@ -287,6 +298,12 @@ it("no tab is more than one and a half screens, at rest or after a long drag", a
   await expect.poll(() => ways.getAttribute("aria-busy")).toBe("true");
   await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 150_000 }).toBe("false");
   await expectCalm(page, "with what each way on gains");
+  // On a sample whose sliders have stops, which take a line each.
+  await page.getByRole("combobox", { name: "Sample" }).selectOption("Roof");
+  await idle(page);
+  await typeTarget(page, "+50cm");
+  await showGallery(page);
+  await expectCalm(page, "with sliders and a gallery");
   await page.context().close();
 }, 200_000);
 

@@ -77,7 +77,8 @@ it("shows exact designs in a gallery; Enter adopts one as one step", async () =>
   expect(await tiles.count()).toBeGreaterThanOrEqual(6);
   for (const k of [0, 5]) {
     const tile = tiles.nth(k);
-    const [, length, points] = /([\d.]+ mm)\s*(\d+) points/.exec(await tile.innerText()) ?? [];
+    const [, points, length] =
+      /(\d+) points move, largest ([\d.]+ mm)/.exec((await tile.getAttribute("title")) ?? "") ?? [];
     await tile.focus();
     await page.keyboard.press("Enter");
     await idle(page);

@@ -26,7 +26,10 @@ export function ExploreSection() {
   // The sliders need the room, and say more.
   const varied = Boolean(page.draft.value?.variation);
   return (
-    <section class="step explore-step" aria-labelledby="step-explore">
+    <section
+      class={varied ? "step explore-step varied" : "step explore-step"}
+      aria-labelledby="step-explore"
+    >
       <h2 id="step-explore" class="visually-hidden">
         Explore
       </h2>

@@ -40,6 +40,6 @@ export const stopsWithin = (
   upper < end ? upper : null,
 ];
 
-/** "out of the surface; 42 points in all". */
+/** "out of the surface; 42 points". */
 export const leadWords = ({ points }: SliderLead, way: string): string =>
-  `${way}; ${counted(points, "point")} in all`;
+  `${way}; ${counted(points, "point")}`;

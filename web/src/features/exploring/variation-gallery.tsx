@@ -4,11 +4,12 @@ import { useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { flatnessWords } from "../../design/flatness.ts";
 import { pointFrame } from "../../mesh/point-frame.ts";
+import { counted } from "../../quantity/counted.ts";
 import { formatLength } from "../../quantity/units.ts";
 import { drawPatch, type Patch, patchOf, zoomedTo } from "../../scene/patch-drawing.ts";
 import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
 import { shownPoint } from "../../state/editing.ts";
-import { foldWords, formatDegrees } from "../../state/fold.ts";
+import { foldWords } from "../../state/fold.ts";
 import type { Page } from "../../state/page.ts";
 import { typeWords } from "../../state/type-counts.ts";
 import { Icon } from "../../ui/icon.tsx";
@@ -28,7 +29,7 @@ import { wayWords } from "./slider-range.ts";
 import "../../ui/designs.css";
 
 /** CSS pixels where there is room; elsewhere it is shown smaller. */
-const SIZE = [136, 102] as const;
+const SIZE = [132, 88] as const;
 
 interface PatchPictureProps {
   readonly mesh: OpenedMesh;
@@ -55,7 +56,7 @@ function PatchPicture({ mesh, patch, shape }: PatchPictureProps) {
   );
 }
 
-/** Where and how far it is from the edit, and which way: tiles may be the same in all other figures. */
+/** How far it is from the edit, and which way; in words where, too: tiles may be the same in all other figures. */
 function apartWords(page: Page, { shape }: GalleryItem, centre: Shape): readonly [string, string] {
   const opened = page.mesh.value;
   const found = opened && furthestBetween(centre, shape, opened.positions);
@@ -64,10 +65,7 @@ function apartWords(page: Page, { shape }: GalleryItem, centre: Shape): readonly
   const frame = pointFrame(opened, (v) => shownPoint(page, v, centre), vertex);
   const length = formatLength(Math.hypot(...move), page.unit.value);
   const way = wayWords(move, frame.normal);
-  return [
-    `${signOf(move, frame)}${length} at ${vertex}`,
-    `from the edit ${length} at point ${vertex}, ${way}`,
-  ];
+  return [`${signOf(move, frame)}${length}`, `from the edit ${length} at point ${vertex}, ${way}`];
 }
 
 interface TileProps {
@@ -78,22 +76,30 @@ interface TileProps {
   readonly centre: Shape;
 }
 
-/** "14 to make again"; types, where they were asked for, and what is spoilt are said, too. */
-function Again({ panels }: Pick<GalleryItem, "panels">) {
-  if (!panels) return null;
-  return (
-    <>
-      <br />
-      {`${panels.changed} to make again`}
-      {panels.types && (
-        <>
-          <br />
-          {typeWords(panels.types)}
-        </>
-      )}
-      {panels.damage && <strong class="tile-damage">{panels.damage}</strong>}
-    </>
-  );
+/** "14 panels to make again"; types, where they were asked for, and what is spoilt are said, too. */
+const panelWords = ({ panels }: GalleryItem): readonly string[] =>
+  panels
+    ? [
+        `${counted(panels.changed, "panel")} to make again`,
+        panels.types ? typeWords(panels.types) : "",
+        panels.damage,
+      ]
+    : [];
+
+/** Everything that is known of a tile's design but its number. */
+function aboutWords(page: Page, item: GalleryItem, apart: string): string {
+  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
+  const length = formatLength(maxDisplacement, page.unit.value);
+  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence;
+  const words = [
+    `${movedVertices} points move`,
+    `largest ${length}`,
+    apart,
+    `worst panel ${worst}`,
+    foldWords(item.report),
+    ...panelWords(item),
+  ];
+  return words.filter(Boolean).join(", ");
 }
 
 function KeepButton({ item, number }: Pick<TileProps, "item" | "number">) {
@@ -115,14 +121,9 @@ function KeepButton({ item, number }: Pick<TileProps, "item" | "number">) {
 
 function Tile({ item, number, patch, centre }: TileProps) {
   const page = usePage();
-  const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
-  const length = formatLength(maxDisplacement, page.unit.value);
-  const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence;
   const chosen = page.draft.value?.shape === item.shape;
-  const fold = foldWords(item.report);
   const [apart, apartAbout] = apartWords(page, item, centre);
-  const words = `${movedVertices} points move, largest ${length}, ${apartAbout}, worst panel ${worst}, ${fold}`;
-  const after = item.report.sharpestFold?.after;
+  const words = aboutWords(page, item, apartAbout);
   const opened = page.mesh.value;
   const near = useMemo(
     () => (opened ? zoomedTo(opened, patch, item.shape) : patch),
@@ -142,27 +143,16 @@ function Tile({ item, number, patch, centre }: TileProps) {
         onBlur={() => preview(page, null)}
       >
         {opened && <PatchPicture mesh={opened} patch={near} shape={item.shape} />}
-        <span class="visually-hidden">Adopt design {number}: </span>
-        <span class="tile-figures">
-          {length}
-          <br />
-          {movedVertices} points
-          {apart && (
-            <>
-              <br />
-              <span aria-hidden="true">{apart}</span>
-            </>
-          )}
-          {after !== undefined && (
-            <>
-              <br />
-              {`fold ${formatDegrees(after)}`}
-            </>
-          )}
-          <Again panels={item.panels} />
+        <span class="tile-figures" aria-hidden="true">
+          {apart}
         </span>
+        {item.panels?.damage && (
+          <strong class="tile-damage" aria-hidden="true">
+            spoilt
+          </strong>
+        )}
         <span class="visually-hidden">
-          , {apartAbout}, worst panel {worst}
+          Adopt design {number}: {words}
         </span>
       </button>
       <KeepButton item={item} number={number} />
@@ -227,9 +217,7 @@ export function VariationGallery() {
   return (
     <>
       <p class="quiet small">
-        Designs to choose from, each flat already, coloured by how far it is from the edit: blue
-        towards you, green away. Under each: its largest move, how many points move, and where it is
-        furthest from the edit. Rest on one to see it in the view.
+        Each is flat already. Under it: how far it is from the edit, blue towards you, green away.
       </p>
       <Tiles shown={shown} patch={patch.value} />
       {shown.alike > 0 && <p class="quiet small">{alikeWords(page, shown)}</p>}

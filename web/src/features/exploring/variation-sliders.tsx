@@ -71,8 +71,8 @@ export function VariationSliders() {
     <>
       <p class="quiet small">
         {found < asked && `${found} of ${asked} directions exist here. `}
-        At either end of a slider the point that moves most moves by{" "}
-        {formatLength(reach, page.unit.value)}. Hatched: there a panel would lose its shape.
+        Either end moves a point by {formatLength(reach, page.unit.value)}. Hatched: there a panel
+        would lose its shape.
       </p>
       {coefficients.map((value, k) => {
         const label = `Variation ${k + 1}`;
