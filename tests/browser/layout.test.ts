@@ -20,6 +20,9 @@ const SIZES = [
   [3840, 2160],
 ] as const;
 
+/** There are words beside the icons of the drag tools in a wide view. */
+const TOOL_WORDS = ["Box", "Loop", "Pin", "Cut", "Plane", "Local", "Snap", "Hide", "Isolate"];
+
 interface Rectangle {
   readonly x: number;
   readonly y: number;
@@ -88,6 +91,15 @@ async function expectPlaces(page: Page, width: number, height: number): Promise<
   expect(await cutShort(page)).toEqual([]);
 }
 
+/** What the drag tools have beside their icons. */
+const toolWords = (page: Page): Promise<string[]> =>
+  page.locator(".drag-tools .tool[data-word]").evaluateAll((all) =>
+    all
+      .map((tool) => getComputedStyle(tool, "::after").content.split(" / ")[0] ?? "")
+      .map((content) => content.replaceAll('"', ""))
+      .filter((word) => word !== "none"),
+  );
+
 const SADDLE = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
 
 const REPORT_SIZES = [
@@ -139,6 +151,7 @@ it("everything has its place at every size, the import report too, and bars are 
     await expectPlaces(page, width, height);
     await expectNoLineForTheSlide(page);
     await expectViewToStay(page);
+    expect(await toolWords(page)).toEqual((await viewBox(page)).width < 1280 ? [] : TOOL_WORDS);
   }
   await page.setViewportSize({ width: 900, height: 640 });
   await dragOverBars(page);

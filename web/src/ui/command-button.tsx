@@ -20,6 +20,7 @@ export function CommandButton({ look, command, icon, hint }: CommandButtonProps)
     <button
       type="button"
       class={look}
+      data-word={icon ? command.name : undefined}
       disabled={refusalOf(page, command) !== ""}
       title={titleOf(page, command, hint)}
       onClick={() => void command.run(page, "")}

@@ -14,6 +14,8 @@ import { usePage } from "./page-context.ts";
 
 interface ToggleProps {
   readonly name: string;
+  /** What is written beside its icon in a wide view: a word of the name. */
+  readonly word?: string;
   readonly about: string;
   readonly on: boolean;
   readonly disabled?: boolean;
@@ -22,12 +24,13 @@ interface ToggleProps {
   readonly children: ComponentChildren;
 }
 
-function Toggle({ name, about, on, disabled, kind, onClick, children }: ToggleProps) {
+function Toggle({ name, word, about, on, disabled, kind, onClick, children }: ToggleProps) {
   return (
     <button
       type="button"
       class={`tool ${kind ?? ""}`}
       aria-label={name}
+      data-word={word}
       aria-pressed={on}
       title={`${name}: ${about}`}
       disabled={disabled ?? false}
@@ -64,6 +67,7 @@ function LockTools() {
       ))}
       <Toggle
         name="Lock to the plane across"
+        word="Plane"
         about="drags stay in the plane at right angles to the chosen axis"
         on={held?.plane ?? false}
         disabled={!held}
@@ -83,6 +87,7 @@ function SnapTools() {
     <>
       <Toggle
         name="Snap"
+        word="Snap"
         about="drags go in steps, and back to the base position (Ctrl while dragging)"
         on={page.snapping.value}
         onClick={() => {
@@ -109,17 +114,24 @@ function SnapTools() {
   );
 }
 
-const AREAS: readonly (readonly [AreaTool, string, string, IconName])[] = [
-  ["box", "Select in a box", "the next drag selects the points in a box", "selectBox"],
-  ["lasso", "Select in a loop", "the next drag selects the points that it goes round", "lasso"],
+const AREAS: readonly (readonly [AreaTool, string, string, string, IconName])[] = [
+  ["box", "Select in a box", "Box", "the next drag selects the points in a box", "selectBox"],
+  [
+    "lasso",
+    "Select in a loop",
+    "Loop",
+    "the next drag selects the points that it goes round",
+    "lasso",
+  ],
 ];
 
 function AreaTools() {
   const page = usePage();
-  return AREAS.map(([tool, name, about, icon]) => (
+  return AREAS.map(([tool, name, word, about, icon]) => (
     <Toggle
       key={tool}
       name={name}
+      word={word}
       about={`${about}; with Shift, adds them`}
       on={page.areaTool.value === tool}
       disabled={!page.ready.value}
@@ -137,6 +149,7 @@ function PinTool() {
   return (
     <Toggle
       name={COMMANDS.pin.label}
+      word="Pin"
       about={
         page.baseFlat.value ? `pinned points do not move (${keyOf(COMMANDS.pin)})` : FLAT_FIRST
       }
@@ -156,6 +169,7 @@ function CutTool() {
     <Toggle
       kind="cut"
       name={cut.label}
+      word="Cut"
       about={refusalOf(page, cut) || `clicks part panels, and no point moves (${keyOf(cut)})`}
       on={page.cutting.value}
       disabled={refusalOf(page, cut) !== ""}
@@ -185,6 +199,7 @@ export function DragTools() {
       <LockTools />
       <Toggle
         name="Local arrows"
+        word="Local"
         about="arrows follow the surface at the point instead of X, Y and Z"
         on={page.localArrows.value}
         onClick={() => {
