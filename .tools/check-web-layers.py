@@ -25,7 +25,7 @@ REGISTRATIONS = {
     "scene/viewport.ts": {"context", "hiding", "second-layer", "touch"},
     "ui/commands/all-commands.ts": {"numbers", "selecting", "views"},
     "ui/commands/more-commands.ts": {"comparing", "exploring"},
-    "ui/shop-dialogs.ts": {"second-layer", "shop"},
+    "ui/shop-dialogs.ts": {"shop"},
     "ui/top-bar.tsx": {"help", "sharing"},
     "ui/view-notes.tsx": {"hiding", "notes", "second-layer", "touch"},
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Export → Second layer…: the design at a distance, shown with it, made again after an edit, kept in GLB.
+// Check and make, Second layer: the design at a distance, shown with it, made again after an edit, kept in GLB.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -19,18 +19,16 @@ import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
 
-async function layOut(page: Page, distance: string, keeps?: string): Promise<string> {
-  await page.getByRole("button", { name: "Export" }).click();
-  await page.getByRole("button", { name: "Second layer…" }).click();
-  const dialog = page.getByRole("dialog", { name: "Second layer" });
-  await dialog.getByRole("spinbutton").fill(distance);
-  if (keeps) await dialog.getByRole("combobox", { name: "Offset kind" }).selectOption(keeps);
-  await dialog.getByRole("button", { name: "Show" }).click();
-  const said = dialog.locator("[aria-live]");
-  await expect.poll(() => said.innerText()).not.toBe("");
-  const words = await said.innerText();
-  await page.keyboard.press("Escape");
-  return words;
+/** Asks for a layer, and waits for what is said of it. */
+async function layOut(page: Page, distance: string, says: RegExp, keeps?: string): Promise<void> {
+  await showTab(page, "Check and make");
+  const part = page.locator("details").filter({ hasText: "Second layer" });
+  if ((await part.getAttribute("open")) === null) await part.locator("summary").click();
+  await part.getByRole("spinbutton").fill(distance);
+  const form = part.getByRole("combobox", { name: "Offset kind" });
+  await form.selectOption(keeps ?? "What the design allows");
+  await part.getByRole("button", { name: "Show" }).click();
+  await expect.poll(() => part.locator("[aria-live]").innerText()).toMatch(says);
 }
 
 /** The points of the second layer in a GLB, z up. */
@@ -92,7 +90,7 @@ it("a second layer is said, follows the design, and is in its GLB", async () => 
     .click();
   await still(page);
   const picked = await pick(page);
-  expect(await layOut(page, "0.25")).toBe("Panels lie at 250 mm everywhere.");
+  await layOut(page, "0.25", /^Panels lie at 250 mm everywhere\.$/);
   const note = page.getByRole("region", { name: "Second layer" });
   await note.getByText("Panels lie at 250 mm everywhere.").waitFor();
   // Outside of the design, so in front of it, and yet the design is what a click means.
@@ -111,5 +109,17 @@ it("a second layer is said, follows the design, and is in its GLB", async () => 
   await openFile(page, "layered.glb", glb);
   await page.getByText(/^Verified:/).waitFor();
   expect(await obj(page)).toBe(edited);
+  await page.context().close();
+});
+
+it("all commands lead to it, and the model is not behind a dialog", async () => {
+  const page = await site.openVault();
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "Command" }).fill("second layer");
+  await page.keyboard.press("Enter");
+  await page.getByRole("spinbutton", { name: /^Distance/ }).waitFor();
+  const tab = page.getByRole("tab", { name: "Check and make" });
+  expect(await tab.getAttribute("aria-selected")).toBe("true");
+  expect(await page.getByRole("dialog").count()).toBe(0);
   await page.context().close();
 });

@@ -27,6 +27,9 @@ export const shownRule = kept(() => signal<Rule | null>(null));
 /** Whether what changes the view alone is in sight, beside its buttons. */
 export const viewOptionsShown = kept(() => signal(false));
 
+/** Whether what asks for a second layer is unfolded. */
+export const layerAsked = kept(() => signal(false));
+
 /** Shows a tab, for whatever leads to a section of it. */
 export function goToTab(page: Page, tab: Tab): void {
   shownTab(page).value = tab;

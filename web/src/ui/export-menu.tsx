@@ -17,7 +17,6 @@ export function ExportMenu() {
   useDoors({
     package: () => open("package"),
     drawings: () => open("drawings"),
-    layer: () => open("layer"),
     ifc: () => open("ifc"),
   });
   return (

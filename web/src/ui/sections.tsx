@@ -35,6 +35,7 @@ export const SECTIONS: readonly Section[] = [
     () => import("../features/comparing/snapshots-section.tsx"),
   ),
   { place: "check", name: "Exact", Content: ExactSection },
+  section("check", "LayerSection", () => import("../features/second-layer/layer-section.tsx")),
   section("check", "LastSolveSection", () => import("../features/advanced/last-solve.tsx")),
   section("check", "NoteSection", () => import("../features/notes/note-section.tsx")),
   section("view", "CleanSection", () => import("../features/clean-view/clean-section.tsx")),

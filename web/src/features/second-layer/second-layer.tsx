@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { Design } from "../../design/design.ts";
 import { niceStep, unitWord } from "../../quantity/units.ts";
 import type { OffsetChoice } from "../../state/page-state.ts";
 import { usePage } from "../../ui/page-context.ts";
@@ -20,27 +22,38 @@ export function SecondLayer() {
   const usual = niceStep((page.mesh.value?.report.meanEdge ?? 1) / 5);
   const distance = useSignal("");
   const form = useSignal<OffsetChoice["form"]>(page.offsetChoice.peek()?.form ?? "");
-  const said = useSignal<string | null>(null);
+  const refused = useSignal<{ readonly of: Design | undefined; readonly why: string } | null>(null);
+  const [design, laid, layer] = [
+    page.history.value?.present,
+    page.offsetChoice.value,
+    page.offsetLayer.value,
+  ];
   const show = async (): Promise<void> => {
     const choice = { distance: Number(distance.value || usual), form: form.value };
-    const laid = await layOut(page, choice);
-    const layer = page.offsetLayer.value;
-    const refusal = laid && !laid.ok ? laid.reason : null;
-    said.value = layer ? offsetWords(page, layer, choice.distance) : refusal;
+    const of = page.history.peek()?.present;
+    const answer = await layOut(page, choice);
+    refused.value = answer && !answer.ok ? { of, why: answer.reason } : null;
   };
+  const refusal = refused.value?.of === design ? (refused.value?.why ?? null) : null;
+  const said = laid && layer ? offsetWords(page, layer, laid.distance) : refusal;
+  const whole = useRef<HTMLDivElement>(null);
+  useEffect(() => whole.current?.scrollIntoView({ block: "nearest" }), []);
   return (
-    <ShopForm save="Show" onSave={show} said={said.value}>
-      <NumberRow
-        label={`Distance, ${unitWord(page.unit.value)}`}
-        value={distance}
-        otherwise={String(usual)}
-        min=""
-      />
-      <ChoiceRow label="Offset kind" value={form} choices={FORMS} />
-      <p class="quiet">
-        A second layer whose edges are parallel to those of the design, outside of it, or inside
-        with a distance below 0. It stays in the view and follows the design; GLB files hold it too.
-      </p>
-    </ShopForm>
+    <div ref={whole}>
+      <ShopForm save="Show" onSave={show} said={said}>
+        <NumberRow
+          label={`Distance, ${unitWord(page.unit.value)}`}
+          value={distance}
+          otherwise={String(usual)}
+          min=""
+        />
+        <ChoiceRow label="Offset kind" value={form} choices={FORMS} />
+        <p class="quiet">
+          A second layer whose edges are parallel to those of the design, outside of it, or inside
+          with a distance below 0. It stays in the view and follows the design; GLB files hold it
+          too.
+        </p>
+      </ShopForm>
+    </div>
   );
 }

@@ -6,7 +6,14 @@ import { NUMBER_COMMANDS } from "../../features/numbers/numbering.ts";
 import { SELECTION_COMMANDS } from "../../features/selecting/selection-commands.ts";
 import { KEEP_VIEW } from "../../features/views/named-views.ts";
 import { toggleCleanView } from "../../state/clean-view.ts";
-import { goToRule, goToTab, RULES, rulesInOrder, viewOptionsShown } from "../../state/inspector.ts";
+import {
+  goToRule,
+  goToTab,
+  layerAsked,
+  RULES,
+  rulesInOrder,
+  viewOptionsShown,
+} from "../../state/inspector.ts";
 import { openSample } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
@@ -41,6 +48,14 @@ const PLACES: readonly Command[] = [
     label: "View options",
     run: (page) => {
       viewOptionsShown(page).value = true;
+    },
+  },
+  {
+    label: "Second layer",
+    refusal: notReady,
+    run: (page) => {
+      goToTab(page, "check");
+      layerAsked(page).value = true;
     },
   },
   { label: "Clean view", run: toggleCleanView },

@@ -4,15 +4,7 @@ import { useEffect } from "preact/hooks";
 import { kept, type Page } from "../../state/page.ts";
 import { usePage } from "../page-context.ts";
 
-export type Door =
-  | "compare"
-  | "drawings"
-  | "help"
-  | "ifc"
-  | "layer"
-  | "package"
-  | "palette"
-  | "share";
+export type Door = "compare" | "drawings" | "help" | "ifc" | "package" | "palette" | "share";
 
 const doors = kept(() => new Map<Door, () => unknown>());
 

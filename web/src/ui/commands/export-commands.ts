@@ -47,6 +47,5 @@ export const EXPORT_COMMANDS = {
   png: file("PNG", "Picture of this view", (part, page) => part.exportPicture(page)),
   package: dialog("Cutting package…", "DXF and tables (zip)", "package"),
   drawings: dialog("Drawings…", "Plan, elevations, section", "drawings"),
-  layer: dialog("Second layer…", "At a distance, shown and in GLB", "layer"),
   ifc: dialog("IFC…", "Plates for building models", "ifc"),
 } as const;
