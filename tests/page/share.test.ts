@@ -32,6 +32,7 @@ it("a shared link opens as the same design, to the last bit", async () => {
   await page.getByRole("button", { name: "Share" }).click();
   const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
   expect(link.length).toBeLessThan(600);
+  expect(await page.getByRole("button", { name: "Save design" }).count()).toBe(0);
   await page.context().close();
 
   const other = await site.open({}, new URL(link).hash);
@@ -89,7 +90,7 @@ function noise(triangles: number): string {
   return `${lines.join("\n")}\n`;
 }
 
-it("warns of long links and offers a file instead of longer ones", async () => {
+it("warns of long links and offers the saved design beside them, and instead of longer ones", async () => {
   const page = await site.openVault();
   await openFile(page, "noise.obj", noise(100));
   await page.getByRole("button", { name: "Start editing" }).click();
@@ -97,14 +98,16 @@ it("warns of long links and offers a file instead of longer ones", async () => {
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("textbox", { name: "Link" }).waitFor();
   expect(await page.getByText(/Some programs cut links this long/).count()).toBe(1);
-  expect(await page.getByRole("button", { name: "Save design" }).count()).toBe(0);
-  await page.keyboard.press("Escape");
+  const save = page.getByRole("button", { name: "Save design" });
+  const beside = page.waitForEvent("download");
+  await save.click();
+  expect((await beside).suggestedFilename()).toBe("noise-design.json");
   await openFile(page, "noise.obj", noise(400));
   await page.getByRole("button", { name: "Start editing" }).click();
   await expect.poll(async () => (await linkOf(page)).length).toBeGreaterThan(32_000);
   await page.getByRole("button", { name: "Share" }).click();
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save design" }).click();
+  await save.click();
   expect((await download).suggestedFilename()).toBe("noise-design.json");
   await page.context().close();
 });

@@ -208,7 +208,7 @@ export function ImportReport() {
       <h2 id="import-title">{page.designName.value}</h2>
       {report && !page.baseFlat.value && (
         <p>
-          <strong>Planarise first?</strong> Points can be moved once every panel is flat.
+          <strong>Planarise first?</strong> {UNTIL_FLAT}
         </p>
       )}
       {report && !page.baseFlat.value && <PlanariseStep live={true} />}

@@ -28,7 +28,8 @@ function advice({ link, copied }: Shared): string {
   const what = `${copied ? "Copied" : "Copy this link"}: ${link.length} characters.`;
   if (link.length > TOO_LONG)
     return `${what} That is too long for most programs: save the design and send the file; it holds all that a link does.`;
-  if (link.length > LONG) return `${what} Some programs cut links this long.`;
+  if (link.length > LONG)
+    return `${what} Some programs cut links this long: a saved design holds all that it does.`;
   return `${what} It holds the whole design; nothing is stored anywhere else.`;
 }
 
@@ -133,11 +134,11 @@ export function SharedLink({ shared: first, onClose }: SharedLinkProps) {
           Copy
         </button>
       )}
-      {shared.link.length > TOO_LONG && (
+      {shared.link.length > LONG && (
         <div class="dialog-actions">
           <button
             type="button"
-            class="button primary"
+            class={shared.link.length > TOO_LONG ? "button primary" : "button"}
             onClick={() => {
               onClose();
               void exportDesign(page);
