@@ -139,7 +139,7 @@ it("a mesh that is not flat is made flat first", async () => {
   const page = await site.openVault();
   await openFile(page, "bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0\nf 1 2 3 4\n");
   expect(await tool(page).isDisabled()).toBe(true);
-  expect(await tool(page).getAttribute("title")).toMatch(/Make it flat first/);
+  expect(await tool(page).getAttribute("title")).toMatch(/First planarise it, or edit it as it is/);
   await page.context().close();
 });
 

@@ -9,7 +9,7 @@ import { site } from "./support/site.ts";
 /** One bent quad in the middle of the view, and a flat one beside it. */
 const BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.3\nv 0 2 0\nv 4 0 0\nv 4 2 0\nf 1 2 3 4\nf 2 5 6 3\n";
 
-const REASON = "Make it flat first: Planarise.";
+const REASON = "First planarise it, or edit it as it is.";
 
 /** Where a point of the model is under the pointer. */
 async function somePoint(page: Page): Promise<{ x: number; y: number }> {

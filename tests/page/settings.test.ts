@@ -78,6 +78,9 @@ it("a mesh that is nearly flat can be taken as it is by one press", async () => 
   const accept = page.getByRole("button", { name: "Edit as it is" });
   await openFile(page, "bent.obj", almostFlat(0.05));
   await page.getByText("Planarise first?").waitFor();
+  await page
+    .getByText(/once every panel is flat, or once you choose to edit it as it is\.$/)
+    .waitFor();
   await page.getByText("panels stay as bent as they are, up to 25 mm/m").waitFor();
   await openFile(page, "roof.obj", almostFlat(0.005));
   await page.getByText("up to 20 mm/m counts as flat").waitFor();
@@ -160,6 +163,7 @@ it("a tighter tolerance than the mesh was opened with offers to planarise it, an
   expect(await planarise.count()).toBe(0);
   await choose(page, "Tolerance", "0.000001 mm/m");
   await page.getByText(/up to 0\.\d+ mm\/m, with a tolerance of 0\.000001 mm\/m/).waitFor();
+  await page.getByText(/once they are, or once you choose to edit it as it is\.$/).waitFor();
   expect(await add.isDisabled()).toBe(true);
   // Loose again, there is nothing to be made flat.
   await choose(page, "Tolerance", "1 mm/m");

@@ -288,7 +288,7 @@ export class Drag {
 const isPinned = (page: Page, vertex: number): boolean => handleOf(page, vertex)?.pinned === true;
 
 /** Why points of a mesh that is not flat cannot be moved. */
-export const FLAT_FIRST = "Make it flat first: Planarise.";
+export const FLAT_FIRST = "First planarise it, or edit it as it is.";
 
 /** Takes hold of points; null if they cannot be moved, and the notice says why. */
 export function beginDrag(page: Page, vertices: readonly number[]): Drag | null {

@@ -39,7 +39,7 @@ function NotFlatNote() {
   return (
     <div class="note warn">
       <p>
-        {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are.`}
+        {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are, or once you choose to edit it as it is.`}
       </p>
       <PlanariseStep live={false} />
       <button type="button" class="button primary" onClick={() => void planarise(page)}>

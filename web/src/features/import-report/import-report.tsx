@@ -208,7 +208,8 @@ export function ImportReport() {
       <h2 id="import-title">{page.designName.value}</h2>
       {report && !page.baseFlat.value && (
         <p>
-          <strong>Planarise first?</strong> {UNTIL_FLAT}
+          <strong>Planarise first?</strong> Points can be moved once every panel is flat, or once
+          you choose to edit it as it is.
         </p>
       )}
       {report && !page.baseFlat.value && <PlanariseStep live={true} />}

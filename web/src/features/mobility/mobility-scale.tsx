@@ -5,6 +5,7 @@ import "./mobility-scale.css";
 import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { formatLength } from "../../quantity/units.ts";
+import { FLAT_FIRST } from "../../state/dragging.ts";
 import { formatDegrees } from "../../state/fold.ts";
 import { largest } from "../../state/ramp-ends.ts";
 import {
@@ -78,7 +79,7 @@ export function MobilityScale() {
   const page = usePage();
   useMeasuring();
   const map = page.mobility.value?.of === page.mesh.value ? page.mobility.value : null;
-  if (!page.baseFlat.value) return <p class="legend-note">Make it flat first: Planarise.</p>;
+  if (!page.baseFlat.value) return <p class="legend-note">{FLAT_FIRST}</p>;
   return (
     <>
       <div class="legend-ends">
