@@ -66,6 +66,7 @@ it("a new visitor's edit stays in its reach, and the boundary stays, to the last
   const base = await exported(page);
   await typeTarget(page, "+50cm");
   const boundary = boundaryOf(base);
+  const panels: number[] = [];
   // Whatever the sliders say.
   for (const [reach, softness] of [
     ["6", "5"],
@@ -74,19 +75,28 @@ it("a new visitor's edit stays in its reach, and the boundary stays, to the last
   ] as const) {
     await slide(page, "Reach", reach);
     await slide(page, "Softness", softness);
-    const moved = movedIn(await exported(page), base);
+    const edited = await exported(page);
+    const moved = movedIn(edited, base);
     const near = within(base, await handle(page), Number(reach));
     expect(moved.length).toBeGreaterThan(2);
     expect(moved.filter((v) => !near.has(v))).toEqual([]);
     expect(moved.filter((v) => boundary.has(v))).toEqual([]);
-    const effect = moved.length === 1 ? "1 point moves" : `${moved.length} points move`;
-    await page.getByText(effect, { exact: true }).waitFor();
+    const effect = page.getByText(
+      new RegExp(`^${moved.length} points move, \\d+ panels to make again$`),
+    );
+    await effect.waitFor();
+    const [, again] = /, (\d+) panels/.exec((await effect.textContent()) ?? "") ?? [];
+    panels.push(Number(again));
     await page
       .getByText(/^sharpest fold [\d.]+° \(was [\d.]+°\)$/)
       .first()
       .waitFor();
   }
   expect(await status(page)).toMatch(/ · sharpest fold [\d.]+° \(was [\d.]+°\) · /);
+  // A shorter reach says what it saves.
+  expect(panels[0]).toBeGreaterThan(panels[1] ?? 0);
+  expect(panels[1]).toBeGreaterThan(panels[2] ?? 0);
+  expect(panels[2]).toBeGreaterThan(0);
   await page.context().close();
 });
 

@@ -8,6 +8,7 @@ import { formatLength } from "../quantity/units.ts";
 import { commitSettings, letReachGrow, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
 import { growsReach } from "../state/reach-choice.ts";
+import { remakeWords } from "../state/remaking.ts";
 import { Choice } from "./choice.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
@@ -51,7 +52,7 @@ function Reach() {
       shown={shown}
       disabled={!page.ready.value}
       ends={["next panels only", "no limit"]}
-      effect={moved}
+      effect={[moved, remakeWords(page)].filter(Boolean).join(", ")}
       onInput={(value) => previewSettings(page, change(value))}
       onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />
