@@ -364,3 +364,36 @@ it("a way on that gets less far leaves the design as it was; the others get as f
   else expect((await allowed(page))[0]).toBe(Number.parseFloat(far ?? ""));
   await page.context().close();
 });
+
+/** Types a height for the first handle; how far *As far as it goes* says that it gets, and how far a press does. */
+async function farthest(z: string): Promise<readonly number[]> {
+  const page = await site.openSmall();
+  await page.getByRole("button", { name: "Add handle" }).click();
+  await idle(page);
+  const field = page.getByRole("table", { name: "Handles" }).getByRole("spinbutton", { name: "Z" });
+  await field.first().fill(z);
+  await field.first().press("Enter");
+  await idle(page);
+  const ways = page.getByRole("group", { name: "Get further" });
+  await expect.poll(() => ways.locator(".way-on .quiet").count()).toBeGreaterThan(0);
+  await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 60_000 }).toBe("false");
+  const search = page.getByRole("button", { name: "As far as it goes", exact: true });
+  const said = await ways.locator(".way-on", { hasText: "As far as it goes" }).textContent();
+  await search.click();
+  await idle(page);
+  expect(await search.count()).toBe(0);
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  const got = /^Panels allow (\d+) (?:mm )?of [\d.]+ m here/.exec((await why.textContent()) ?? "");
+  await page.context().close();
+  return [/goes(\d+) mm/.exec(said ?? ""), got].map((found) => Number(found?.[1]));
+}
+
+it("a typed target of 500 m gets as far as one of 10 m: as far as it goes", async () => {
+  const [[nearSaid = 0, near = 0], [farSaid = 0, far = 0]] = [
+    await farthest("+10"),
+    await farthest("+500"),
+  ];
+  expect(near).toBeGreaterThan(4000);
+  expect(Math.abs(near - far)).toBeLessThan(0.1 * Math.min(near, far));
+  expect([nearSaid, farSaid]).toEqual([near, far]);
+});

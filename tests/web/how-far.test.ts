@@ -4,11 +4,11 @@ import { expect, it } from "vitest";
 import { furthest, MET } from "../../web/src/solver/how-far.ts";
 
 /** Handles that get to where `reach` says of a share, and what was asked of them. */
-function pulled(reach: (share: number) => number) {
+function pulled(reach: (share: number) => number, tries?: number) {
   const tried: number[] = [];
   let [last, kept] = [Number.NaN, Number.NaN];
-  const share = furthest({
-    edit: (at) => {
+  const puller = {
+    edit: (at: number) => {
       tried.push(at);
       last = at;
       const short = at - reach(at);
@@ -20,7 +20,8 @@ function pulled(reach: (share: number) => number) {
     back: () => {
       last = kept;
     },
-  });
+  };
+  const share = furthest(puller, tries);
   return { share, tried, shown: last };
 }
 
@@ -55,4 +56,13 @@ it("keeps what nearly met its target where all that does gets much less far", ()
   const { share, shown } = pulled((at) => (at === 1 ? 0.94 : 0.3 * at));
   expect(share).toBe(1);
   expect(shown).toBe(1);
+});
+
+it("ends about as far by a far target as by a near one where more edits may be made", () => {
+  // Of what is met, 1 unit at most, a target that is not says little.
+  const far = (length: number) => (at: number) => Math.min(at, at * length > 1 ? 0.2 / length : at);
+  const ends = [2, 15].map((length) => pulled(far(length), 8).share * length);
+  expect(Math.min(...ends)).toBeGreaterThan(0.9);
+  expect(Math.max(...ends)).toBeLessThanOrEqual(1);
+  expect(pulled(far(15)).share * 15).toBeLessThan(0.9);
 });

@@ -23,6 +23,8 @@ const base = (): Point => [1, 0, 0];
 const row = { vertex: 7, target: [1, 0, 3] as Point, pinned: false };
 const EDGE = 1;
 
+type Way = ["fold" | "panels", number | null, "dragged" | "given" | "searched"];
+
 const design = (settings: Partial<EditSettings>, report: Partial<ShapeReport> = {}): Design => ({
   source: { kind: "sample", name: "vault", size: 21 },
   planarised: null,
@@ -132,6 +134,17 @@ describe("ways on", () => {
     const further = ways.find(({ label }) => label === "Joints slide twice as far");
     expect(further?.change).toEqual({ limits: ["fold=25", "slide=0.2"] });
     expect(ways.some(({ label }) => /Folds|Without/.test(label))).toBe(false);
+  });
+
+  it("begin with a search towards the target, within the limit that held a drag or as stated limits let it", () => {
+    const first = (...[reason, growth, sought]: Way) =>
+      waysOn(design({}), reason, growth, sought)[0];
+    const searched = first("panels", null, "given");
+    expect(searched?.label).toBe("As far as it goes");
+    expect([searched?.change, searched?.growth]).toEqual([{}, Number.POSITIVE_INFINITY]);
+    const within = first("fold", 10, "dragged");
+    expect([within?.label, within?.growth]).toEqual(["Within the limit", 10]);
+    expect(first("panels", null, "searched")?.label).toBe("Reach 9 panels");
   });
 
   it("are only those that are not taken yet", () => {

@@ -43,4 +43,6 @@ export interface PullLimit {
   /** The handles at the start of the drag, in the order of its targets, and where the base has them. */
   readonly from: HandleList;
   readonly base: HandleList;
+  /** Edits that a search for how far it lets handles go may take beside the first, where not as many as usual. */
+  readonly tries?: number;
 }

@@ -285,15 +285,18 @@ export class Edits {
     const to = request.targets.handles;
     const session = this.#session;
     const length = longestWay(limit.from, to);
-    const share = furthest({
-      edit: (at) => {
-        const handles = between(limit.from, to, at);
-        this.#attempt(request, handles, at === 1 ? first : "solve");
-        return arrivalOf(limit, handles, session.shapeReport(), length);
+    const share = furthest(
+      {
+        edit: (at) => {
+          const handles = between(limit.from, to, at);
+          this.#attempt(request, handles, at === 1 ? first : "solve");
+          return arrivalOf(limit, handles, session.shapeReport(), length);
+        },
+        keep: () => session.keepEdit(),
+        back: () => session.showKept(),
       },
-      keep: () => session.keepEdit(),
-      back: () => session.showKept(),
-    });
+      limit.tries,
+    );
     return share === 1 ? null : between(limit.from, to, share);
   }
 

@@ -46,7 +46,7 @@ export interface Puller {
  * nearly met where handles get much further by it; where there is none, the smallest that was tried. The
  * end of the pull is tried first: where it is not met, what its handles reach says about where others are.
  */
-export function furthest(puller: Puller): number {
+export function furthest(puller: Puller, tries = TRIES): number {
   let best: Tried | null = null;
   const attempt = (share: number): Tried => {
     const tried = { share, ...puller.edit(share) };
@@ -60,7 +60,7 @@ export function furthest(puller: Puller): number {
   if (high.over <= 0) return 1;
   let beyond: Tried | null = null;
   let last = high;
-  for (let k = 0; k < TRIES && high.share > FINE * (low?.share ?? 0); ++k) {
+  for (let k = 0; k < tries && high.share > FINE * (low?.share ?? 0); ++k) {
     last = attempt(low ? between(low, high) : before(high, beyond));
     if (last.over <= 0) low = last;
     else [beyond, high] = [high, last];

@@ -3,18 +3,21 @@
 
 import { computed } from "@preact/signals";
 import { type Design, type HandleRow, leftBehind, toTargets } from "../../design/design.ts";
+import { extentOf } from "../../mesh/extent.ts";
+import { add, minus } from "../../mesh/vector.ts";
 import type { EditSettings, PullLimit } from "../../solver/protocol.ts";
-import { basePoint, commitEdit, shownPoint } from "../../state/editing.ts";
+import { basePoint, commitEdit, longestWay, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { showStep } from "../../state/showing.ts";
 import { inTurn, type Outcome } from "../../state/turns.ts";
-import { beyond, growthOf, wanted } from "../../state/wanted.ts";
+import { beyond, growthOf, type Wanted, wanted } from "../../state/wanted.ts";
 import {
   gotWords,
   isLess,
   isNoFurther,
   type Reason,
   reasonOf,
+  type Sought,
   type Stop,
   stopOf,
   type WayOn,
@@ -25,8 +28,7 @@ export interface Stopped {
   readonly reason: Reason;
   /** As in Wanted. */
   readonly growth: number | null;
-  /** A limit held the frames of a drag back, which go the shortest way: an edit may get further within it. */
-  readonly dragged: boolean;
+  readonly sought: Sought;
 }
 
 export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): Stop | null {
@@ -39,6 +41,13 @@ export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): 
   );
 }
 
+/** Frames go the shortest way: where a limit held them back, an edit may get further within it. */
+function soughtBy(pull: Wanted | null, reason: Reason): Sought {
+  if (!pull) return "given";
+  const limited = reason === "fold" || reason === "limits";
+  return pull.dragged && limited ? "dragged" : "searched";
+}
+
 /** Of the last finished edit; null where it reached its targets, and for a variation of it. */
 export const stopped = kept((page) =>
   computed((): Stopped | null => {
@@ -48,23 +57,40 @@ export const stopped = kept((page) =>
     const stop = stopIn(page, design, pull?.handles ?? design.handles);
     const growth = pull?.growth ?? null;
     const reason = reasonOf(design, pull !== null, growth);
-    const dragged = pull?.dragged === true && (reason === "fold" || reason === "limits");
-    return stop && { stop, reason, growth, dragged };
+    return stop && { stop, reason, growth, sought: soughtBy(pull, reason) };
   }),
 );
 
-/** From where the points are whose targets are further on. */
-function limitOf(
-  page: Page,
-  design: Design,
-  asked: readonly HandleRow[],
-  degrees: number,
-): PullLimit {
-  const based = asked.map((row) => ({ ...row, target: basePoint(page, row.vertex) }));
-  const pulled = asked.filter(({ vertex, target }) => {
+/** Handles whose targets are further on than those of the design; of targets that it has, those that it does
+ * not reach. */
+function pulledOf(page: Page, design: Design, asked: readonly HandleRow[]): readonly HandleRow[] {
+  if (asked === design.handles) return asked.filter((row) => stopIn(page, design, [row]) !== null);
+  return asked.filter(({ vertex, target }) => {
     const now = design.handles.find((row) => row.vertex === vertex)?.target;
     return target.some((x, axis) => x !== now?.[axis]);
   });
+}
+
+/** Targets that are further than the mesh is large would cost a search its first tries. */
+function withinSize(page: Page, pulled: readonly HandleRow[]): readonly HandleRow[] {
+  const { low, high } = extentOf(page.mesh.value?.positions ?? []);
+  const size = Math.hypot(...high.map((top, axis) => top - (low[axis] ?? 0)));
+  const share = size / longestWay(page, pulled);
+  if (!(share < 1)) return pulled;
+  return pulled.map((row) => {
+    const from = basePoint(page, row.vertex);
+    return { ...row, target: add(from, minus(row.target, from), share) };
+  });
+}
+
+/** From where the points are that are pulled. */
+function limitOf(
+  page: Page,
+  asked: readonly HandleRow[],
+  pulled: readonly HandleRow[],
+  degrees: number,
+): PullLimit {
+  const based = asked.map((row) => ({ ...row, target: basePoint(page, row.vertex) }));
   const from = based.map((row, k) => (pulled.includes(asked[k] ?? row) ? row : (asked[k] ?? row)));
   return {
     degrees,
@@ -81,18 +107,28 @@ function settingsOn(design: Design, way: WayOn, growth: number | null): EditSett
   return { ...design.settings, limits: others, ...way.change, continuation: 0 };
 }
 
+/** Edits of a search towards a target that was given: it may be as far away as one types. */
+const FAR_TRIES = 8;
+
+/** An edit towards targets that may be further on than its own. */
+export interface Asked {
+  readonly next: Design;
+  readonly limit: PullLimit | null;
+  readonly handles: readonly HandleRow[];
+}
+
 /** The edit that a way on makes of `design`, whose pull is held back by `growth` as in Wanted. */
-export function askedBy(
-  page: Page,
-  design: Design,
-  way: WayOn,
-  growth: number | null,
-): { readonly next: Design; readonly limit: PullLimit | null } {
+export function askedBy(page: Page, design: Design, way: WayOn, growth: number | null): Asked {
   const handles = beyond(page).value?.handles ?? design.handles;
-  return {
-    next: { ...design, handles, settings: settingsOn(design, way, growth), variation: null },
-    limit: way.growth === null ? null : limitOf(page, design, handles, way.growth),
-  };
+  const next = { ...design, handles, settings: settingsOn(design, way, growth), variation: null };
+  if (way.growth === null) return { next, limit: null, handles };
+  const pulled = pulledOf(page, design, handles);
+  const nearer = withinSize(page, pulled);
+  const rows =
+    nearer === pulled ? handles : handles.map((row) => nearer[pulled.indexOf(row)] ?? row);
+  const limit = limitOf(page, rows, nearer, way.growth);
+  const far = handles === design.handles ? { tries: FAR_TRIES } : {};
+  return { next: { ...next, handles: rows }, limit: { ...limit, ...far }, handles };
 }
 
 const noFurther = (page: Page, { label }: WayOn, stop: Stop): string =>
@@ -104,8 +140,7 @@ export const goOn = (page: Page, way: WayOn): Outcome =>
   inTurn(page, async () => {
     const [history, before] = [page.history.value, stopped(page).value];
     if (!history || !before) return;
-    const { next, limit } = askedBy(page, history.present, way, before.growth);
-    const { handles } = next;
+    const { next, limit, handles } = askedBy(page, history.present, way, before.growth);
     const made = await commitEdit(page, next, limit ? "release" : "solve", null, { limit });
     if (!made?.ok) return made;
     const done = made.value;

@@ -11,7 +11,15 @@ import { PanelButton } from "../../ui/panel-button.tsx";
 import { goOn, type Stopped, stopped } from "./going-on.ts";
 import { SplitWay } from "./split-way.tsx";
 import { endTries, gainsNow, tryWays } from "./way-gains.ts";
-import { byGain, gainWords, gotWords, type Reason, reasonWords, waysOn } from "./way-on.ts";
+import {
+  byGain,
+  gainWords,
+  gotWords,
+  type Reason,
+  reasonWords,
+  type Sought,
+  waysOn,
+} from "./way-on.ts";
 
 /** Ways listed at most: more would not help to decide what to change. */
 const MOST = 4;
@@ -37,8 +45,8 @@ function HoldingPanels() {
 const WORTH_SAYING = 1e-6;
 
 /** What lets the handle go as far as it does. */
-const allowing = (reason: Reason, dragged: boolean): string => {
-  if (dragged) return "Held back at";
+const allowing = (reason: Reason, sought: Sought): string => {
+  if (sought === "dragged") return "Held back at";
   return `${reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels"} allow`;
 };
 
@@ -48,9 +56,9 @@ const TRIED_AFTER_MS = 400;
 /** Sorted by what they gain once all of it is known, so that no button goes from under the pointer. */
 function WaysOn({ design, found }: { design: Design; found: Stopped }) {
   const page = usePage();
-  const { stop, reason, growth, dragged } = found;
+  const { stop, reason, growth, sought } = found;
   const quiet = page.ready.value && settled(page).value;
-  const ways = waysOn(design, reason, growth, dragged);
+  const ways = waysOn(design, reason, growth, sought);
   useEffect(() => {
     if (!quiet) return;
     const timer = setTimeout(() => void tryWays(page, ways), TRIED_AFTER_MS);
@@ -95,19 +103,20 @@ export function StoppedNote() {
   const page = usePage();
   const [design, found] = [page.history.value?.present, stopped(page).value];
   if (!design || !found) return null;
-  const { stop, reason, growth, dragged } = found;
+  const { stop, reason, growth, sought } = found;
+  const { unit } = page;
   const { status, residuals } = design.report;
   const left = residuals.at(-1);
   const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`${allowing(reason, dragged)} ${gotWords(stop, page.unit.value)} here.`}</strong>{" "}
-        {reasonWords(reason, growth, dragged)}
+        <strong>{`${allowing(reason, sought)} ${gotWords(stop, unit.value)} here.`}</strong>{" "}
+        {reasonWords(reason, growth, sought)}
       </p>
       {reason === "panels" && <HoldingPanels />}
       {status === "infeasible_handles" && left !== undefined && left > WORTH_SAYING && (
-        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, page.unit.value)} out of flat.`}</p>
+        <p class="quiet">{`The last attempt left the panels up to ${formatGap(left * meanEdge, unit.value)} out of flat.`}</p>
       )}
       <WaysOn design={design} found={found} />
       <SplitWay design={design} />

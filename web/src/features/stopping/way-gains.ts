@@ -10,7 +10,7 @@ import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { damageWords, spoiltPanels } from "../../state/damage.ts";
 import { editQuestion } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { askedBy, type Stopped, stopIn, stopped } from "./going-on.ts";
+import { type Asked, askedBy, type Stopped, stopIn, stopped } from "./going-on.ts";
 import type { Gain, WayOn } from "./way-on.ts";
 
 /** Of a mesh: on a larger one the tries would take minutes. */
@@ -42,11 +42,11 @@ export function endTries(page: Page): void {
 
 function gainOf(
   page: Page,
-  next: Design,
+  { next, handles }: Asked,
   { shape, report }: Pick<Design, "shape"> & { readonly report: ShapeReport },
   measures: PanelMeasures | null,
 ): Gain {
-  const stop = stopIn(page, { ...next, shape }, next.handles);
+  const stop = stopIn(page, { ...next, shape }, handles);
   return {
     got: stop?.got ?? null,
     fold: report.sharpestFold?.after ?? null,
@@ -70,13 +70,14 @@ export async function tryWays(page: Page, ways: readonly WayOn[]): Promise<void>
     await solver.run(async (ask) => {
       await ask(openKnownQuestion(baseOf(design), mesh), "opened");
       for (const way of ways) {
-        const { next, limit } = askedBy(page, design, way, of.growth);
+        const asked = askedBy(page, design, way, of.growth);
+        const { next, limit } = asked;
         const question = editQuestion(next, limit ? "release" : "solve", { limit });
         try {
           const { shape, report } = await ask(question, "shown");
           if (!shape) continue;
           const { measures } = await ask({ kind: "measure", shape }, "panels");
-          known.set(way.label, gainOf(page, next, { shape, report }, measures));
+          known.set(way.label, gainOf(page, asked, { shape, report }, measures));
         } catch {
           // Refused: this way has no figure.
         }

@@ -23,6 +23,10 @@ export interface Stop {
  * flat panels can do, or by a keep-out. */
 export type Reason = "fold" | "limits" | "slides" | "panels" | "keep-outs";
 
+/** How a target was gone for: by a drag whose frames were held back short of what an edit may reach, as it was
+ * given, or by a search along the way to it. */
+export type Sought = "dragged" | "given" | "searched";
+
 export interface WayOn {
   readonly label: string;
   readonly title: string;
@@ -85,9 +89,13 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
   return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
 }
 
-/** What stops it, in a sentence; `growth` as in Wanted, `dragged` as in Stopped. */
-export function reasonWords(reason: Reason, growth: number | null, dragged = false): string {
-  const further = dragged ? "Dragged on" : "Further";
+/** What stops it, in a sentence; `growth` as in Wanted. */
+export function reasonWords(
+  reason: Reason,
+  growth: number | null,
+  sought: Sought = "searched",
+): string {
+  const further = sought === "dragged" ? "Dragged on" : "Further";
   if (reason === "limits") return `${further}, panels would exceed a limit.`;
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
@@ -101,6 +109,14 @@ const within = (growth: number | null): WayOn => ({
   change: {},
   growth: growth ?? Number.POSITIVE_INFINITY,
 });
+
+/** Of a target that was given: the furthest place on the way to it, within the limits that are stated. */
+const asFarAsItGoes: WayOn = {
+  label: "As far as it goes",
+  title: "Looks along the way to the target for the furthest place that is met",
+  change: {},
+  growth: Number.POSITIVE_INFINITY,
+};
 
 function wider({ reach, reachLength }: EditSettings, growth: number | null): WayOn[] {
   if (reach === 0 && reachLength === 0) return [];
@@ -199,17 +215,18 @@ export function byGain(
   });
 }
 
-/** One press each. Those that do not loosen the limit on a drag's folds keep it. `dragged` as in Stopped. */
+/** One press each. Those that do not loosen the limit on a drag's folds keep it. */
 export function waysOn(
   design: Design,
   reason: Reason,
   growth: number | null,
-  dragged = false,
+  sought: Sought = "searched",
 ): readonly WayOn[] {
   const { settings } = design;
   if (reason === "keep-outs") return [without()];
   const kept = reason === "fold" ? growth : null;
-  const ways = dragged ? [within(kept)] : [];
+  const first = { dragged: [within(kept)], given: [asFarAsItGoes], searched: [] };
+  const ways: WayOn[] = [...first[sought]];
   ways.push(...wider(settings, kept));
   if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
   if (reason === "slides") ways.push(slidingFurther(settings));
