@@ -316,6 +316,15 @@ it("each way on says how far it gets, the furthest first, and a press gets there
     texts.join("\n"),
   ).toBe(true);
   expect(got).toEqual([...got].sort((a, b) => b - a));
+  const shared = /^Within the limit(all the way|\d+ mm)/.exec(
+    texts.find((text) => text.startsWith("Within")) ?? "",
+  );
+  const why = page.getByRole("region", { name: "Why the target is not reached" });
+  expect(await why.textContent()).toMatch(
+    new RegExp(
+      `^Held back at \\d+ of \\d+ mm here, with the bend shared ${shared?.[1]}\\. Dragged on`,
+    ),
+  );
   expect(got[0]).toBe(Number.POSITIVE_INFINITY);
   const first =
     /^(Within the limit|Reach 9 panels|Softer|Folds up to \d+°|Let the boundary move|Meet it exactly)/.exec(

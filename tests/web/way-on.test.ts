@@ -14,6 +14,7 @@ import {
   gotWords,
   reasonOf,
   reasonWords,
+  sharedWords,
   stopOf,
   waysOn,
 } from "../../web/src/features/stopping/way-on.ts";
@@ -175,6 +176,19 @@ describe("what a way on gains", () => {
     expect(gainWords({ got: 0, fold: null, spoilt: 0, damage: "" }, before, "m")).toBe(
       "no further",
     );
+  });
+
+  it("is in the sentence of a drag that was held back, where its limit lets other panels share the bend", () => {
+    const shared = (got: number | null): string =>
+      sharedWords(
+        new Map([["Within the limit", { got, fold: 16, spoilt: 0, damage: "" }]]),
+        before,
+        "m",
+      );
+    expect(shared(3.333)).toBe(", with the bend shared 3333 mm");
+    expect(shared(null)).toBe(", with the bend shared all the way");
+    expect(shared(1.009)).toBe("");
+    expect(sharedWords(new Map(), before, "m")).toBe("");
   });
 
   it("sorts those that gain: all the way first, there the least fold, and what is not known last", () => {

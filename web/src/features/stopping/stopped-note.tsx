@@ -18,6 +18,7 @@ import {
   type Reason,
   reasonWords,
   type Sought,
+  sharedWords,
   waysOn,
 } from "./way-on.ts";
 
@@ -105,13 +106,16 @@ export function StoppedNote() {
   if (!design || !found) return null;
   const { stop, reason, growth, sought } = found;
   const { unit } = page;
+  const gains = gainsNow(page);
+  // Said as the ways are sorted, so that no button goes from under the pointer twice.
+  const shared = gains?.done ? sharedWords(gains.known, stop, unit.value) : "";
   const { status, residuals } = design.report;
   const left = residuals.at(-1);
   const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return (
     <section class="note warn" aria-label="Why the target is not reached">
       <p>
-        <strong>{`${allowing(reason, sought)} ${gotWords(stop, unit.value)} here.`}</strong>{" "}
+        <strong>{`${allowing(reason, sought)} ${gotWords(stop, unit.value)} here${shared}.`}</strong>{" "}
         {reasonWords(reason, growth, sought)}
       </p>
       {reason === "panels" && <HoldingPanels />}

@@ -103,8 +103,10 @@ export function reasonWords(
   return `${further}, folds would be more than ${formatDegrees(growth)} sharper.`;
 }
 
+const WITHIN = "Within the limit";
+
 const within = (growth: number | null): WayOn => ({
-  label: "Within the limit",
+  label: WITHIN,
   title: "As far as other panels can share the bend",
   change: {},
   growth: growth ?? Number.POSITIVE_INFINITY,
@@ -193,6 +195,15 @@ export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string
   if (got !== null && isNoFurther(got, before)) return "no further";
   const far = got === null ? "all the way" : formatLength(got, unit);
   return fold === null ? far : `${far}, ${formatDegrees(fold)}`;
+}
+
+/** ", with the bend shared 3333 mm": how far a drag that was held back gets within its limit, where that is
+ * known and further. */
+export function sharedWords(gains: ReadonlyMap<string, Gain>, before: Stop, unit: Unit): string {
+  const gain = gains.get(WITHIN);
+  if (!gain || (gain.got !== null && isNoFurther(gain.got, before))) return "";
+  const far = gain.got === null ? "all the way" : formatLength(gain.got, unit);
+  return `, with the bend shared ${far}`;
 }
 
 /** Ways that gain something, the furthest first, of those that go as far the one that spoils no panel, then the
