@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { beginDrag, toggleLock, togglePins } from "../../web/src/state/dragging.ts";
+import { beginDrag, heldWords, toggleLock, togglePins } from "../../web/src/state/dragging.ts";
 import { setPinned } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { selectThese } from "../../web/src/state/selection.ts";
@@ -40,6 +40,24 @@ it("one that is given up leaves nothing", async () => {
   expect(page.history.value).toBe(before);
   expect(page.figures.value.movedVertices).toBe(0);
   expect(page.lock.value).toEqual({ axis: "z", plane: false });
+});
+
+it("names the limits that panels are at, and no other, and to a finger no key", () => {
+  expect(heldWords(["fold"], 10, false)).toBe(
+    "Held back: further, panels would fold more than 10° sharper. Shift goes through.",
+  );
+  expect(heldWords(["fold", "area"], 10, true)).toBe(
+    "Held back: further, panels would fold more than 10° sharper, or exceed a limit.",
+  );
+  expect(heldWords(["area"], 10, false)).toBe("Held back: further, panels would exceed a limit.");
+  expect(heldWords(["fold"], Number.POSITIVE_INFINITY, false)).toBe(
+    "Held back: further, panels would exceed a limit.",
+  );
+  for (const degrees of [10, Number.POSITIVE_INFINITY]) {
+    expect(heldWords([], degrees, false)).toBe(
+      "Held back: no panel is at a limit, but nothing further was found.",
+    );
+  }
 });
 
 it("is held back before folds sharpen, says so, and Shift goes through", async () => {

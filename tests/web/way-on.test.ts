@@ -66,7 +66,6 @@ describe("what stops it", () => {
     const limits = ["fold=25"];
     expect(reason({ limits }, { bounds: { fold: [3] } })).toBe("limits");
     expect(reason({ limits }, { bounds: { fold: [] } })).toBe("panels");
-    expect(reason({ limits }, { status: "infeasible_handles" })).toBe("limits");
     const sliding = { bounds: { fold: [3], slide: [4] } };
     expect(reason({ limits: ["fold=25", "slide=0.1"] }, sliding)).toBe("slides");
     expect(reasonWords("slides", null)).toContain("joints would slide");
@@ -82,6 +81,24 @@ describe("what stops it", () => {
     expect(ways.map(({ change }) => change)).toEqual([{ keepOuts: [], clearance: 0 }]);
     expect(reasonWords("fold", 10)).toBe("Further, folds would be more than 10° sharper.");
     expect(reasonWords("limits", null)).toContain("would exceed a limit");
+  });
+
+  it("is not named where no panel is at a limit and yet nothing further was found", () => {
+    const refused = { status: "infeasible_handles", bounds: { fold: [] } } as const;
+    expect(reason({ limits: ["fold=25"] }, refused)).toBe("unknown");
+    const held = (limits: string[], growth: number | null) =>
+      reasonOf(design({ limits }, { bounds: { fold: [] } }), true, growth);
+    expect(held(["fold=+10"], 10)).toBe("unknown");
+    expect(held(["area=2"], null)).toBe("unknown");
+    // After a search that nothing bounds.
+    expect(held([], null)).toBe("panels");
+    expect(reasonWords("unknown", 10, "dragged")).toBe(
+      "No panel is at a limit, but nothing further was found.",
+    );
+    const labels = (growth: number | null) =>
+      waysOn(design({ limits: ["area=2"] }), "unknown", growth).map(({ label }) => label);
+    expect(labels(null)).toContain("Without limits");
+    expect(labels(10)).toContain("Softer");
   });
 
   it("is the drag's own limit only where folds are at it, and no other limit is in their place", () => {

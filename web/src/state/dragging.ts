@@ -83,14 +83,14 @@ const isAside = (said: string | null): boolean => said === ASIDE.up || said === 
 
 const HELD = "Held back: ";
 
-/** What holds a drag back: its own limit on folds, or stated limits that panels are at. */
-function heldBack(page: Page, limit: PullLimit | null, byFinger: boolean): string {
-  const at = boundNames(page.figures.value);
-  const own = limit !== null && limit.degrees < Number.POSITIVE_INFINITY;
-  if (!own || (at.length > 0 && !at.includes("fold")))
-    return `${HELD}further, panels would exceed a limit.`;
+/** What holds a drag back: its own limit on folds by `degrees`, where it is finite, or stated limits; those of
+ * `at`, which panels are at. Fingers have no Shift. */
+export function heldWords(at: readonly string[], degrees: number, byFinger: boolean): string {
+  if (at.length === 0) return `${HELD}no panel is at a limit, but nothing further was found.`;
+  const own = degrees < Number.POSITIVE_INFINITY;
+  if (!own || !at.includes("fold")) return `${HELD}further, panels would exceed a limit.`;
   const others = at.some((name) => name !== "fold") ? ", or exceed a limit" : "";
-  return `${HELD}further, panels would fold more than ${formatDegrees(limit.degrees)} sharper${others}.${byFinger ? "" : " Shift goes through."}`;
+  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${others}.${byFinger ? "" : " Shift goes through."}`;
 }
 
 const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;
@@ -193,8 +193,9 @@ export class Drag {
 
   /** @param over no key goes through any more */
   #sayHeld(over: boolean): void {
-    const limit = this.#limitFor(this.#through);
-    this.#page.notice.value = heldBack(this.#page, limit, over || this.byFinger);
+    const degrees = this.#limitFor(this.#through)?.degrees ?? Number.POSITIVE_INFINITY;
+    const at = boundNames(this.#page.figures.value);
+    this.#page.notice.value = heldWords(at, degrees, over || this.byFinger);
   }
 
   /** The targets go back to where the solver took them. */

@@ -192,7 +192,7 @@ function costWords(page: Page): string {
 /** What is said where no panel is at its limit: none is in the way, or no way within them was found. */
 function freeWords(page: Page): string {
   const found = stopped(page).value;
-  if (found?.reason !== "limits") return "No limit holds this edit back.";
+  if (found?.reason !== "unknown") return "No limit holds this edit back.";
   return `${gotWords(found.stop, page.unit.value)} reached: within the limits no flat panels were found any nearer.`;
 }
 

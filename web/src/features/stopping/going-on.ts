@@ -44,7 +44,7 @@ export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): 
 /** Frames go the shortest way: where a limit held them back, an edit may get further within it. */
 function soughtBy(pull: Wanted | null, reason: Reason): Sought {
   if (!pull) return "given";
-  const limited = reason === "fold" || reason === "limits";
+  const limited = reason === "fold" || reason === "limits" || reason === "unknown";
   return pull.dragged && limited ? "dragged" : "searched";
 }
 

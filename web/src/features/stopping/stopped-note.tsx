@@ -48,6 +48,7 @@ const WORTH_SAYING = 1e-6;
 /** What lets the handle go as far as it does. */
 const allowing = (reason: Reason, sought: Sought): string => {
   if (sought === "dragged") return "Held back at";
+  if (reason === "unknown") return "It stops at";
   return `${reason === "keep-outs" ? "Keep-outs" : reason === "slides" ? "Slides" : "Panels"} allow`;
 };
 

@@ -20,8 +20,8 @@ export interface Stop {
 }
 
 /** By the limit on a drag's folds, by a limit that was stated, that on slides by its own name, by what
- * flat panels can do, or by a keep-out. */
-export type Reason = "fold" | "limits" | "slides" | "panels" | "keep-outs";
+ * flat panels can do, by a keep-out, or within limits that no panel is at. */
+export type Reason = "fold" | "limits" | "slides" | "panels" | "keep-outs" | "unknown";
 
 /** How a target was gone for: by a drag whose frames were held back short of what an edit may reach, as it was
  * given, or by a search along the way to it. */
@@ -64,10 +64,7 @@ export function stopOf(
   return worst;
 }
 
-/**
- * `held`: a pull of the design was held back; `growth` as in Wanted. A limit is named where panels are at
- * it, or where the pull was held back a little before.
- */
+/** `held`: a pull of the design was held back; `growth` as in Wanted. A limit is named where panels are at it. */
 export function reasonOf(
   { report, settings }: Design,
   held: boolean,
@@ -76,10 +73,12 @@ export function reasonOf(
   const at = boundNames(report);
   if (at.includes("keep-out")) return "keep-outs";
   if (at.includes("slide")) return "slides";
-  if (held && growth !== null && (at.includes("fold") || at.length === 0)) return "fold";
-  const refused = report.status === "infeasible_handles";
-  if (settings.limits.length > 0 && (held || at.length > 0 || refused)) return "limits";
-  return "panels";
+  const own = held && growth !== null;
+  if (own && at.includes("fold")) return "fold";
+  const stated = settings.limits.length > 0;
+  if (stated && at.length > 0) return "limits";
+  const refused = held || report.status === "infeasible_handles";
+  return refused && (own || stated) ? "unknown" : "panels";
 }
 
 /** "216 of 300 mm". */
@@ -96,6 +95,7 @@ export function reasonWords(
   sought: Sought = "searched",
 ): string {
   const further = sought === "dragged" ? "Dragged on" : "Further";
+  if (reason === "unknown") return "No panel is at a limit, but nothing further was found.";
   if (reason === "limits") return `${further}, panels would exceed a limit.`;
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
@@ -235,13 +235,13 @@ export function waysOn(
 ): readonly WayOn[] {
   const { settings } = design;
   if (reason === "keep-outs") return [without()];
-  const kept = reason === "fold" ? growth : null;
+  const kept = reason === "fold" || reason === "unknown" ? growth : null;
   const first = { dragged: [within(kept)], given: [asFarAsItGoes], searched: [] };
   const ways: WayOn[] = [...first[sought]];
   ways.push(...wider(settings, kept));
   if (kept !== null) ways.push(...softer(settings, kept), sharper(design, kept));
   if (reason === "slides") ways.push(slidingFurther(settings));
-  if (reason === "limits") ways.push(looser(settings));
+  if (reason === "limits" || (reason === "unknown" && kept === null)) ways.push(looser(settings));
   if (settings.keepBoundary) {
     const [label, title] = ["Let the boundary move", "Points on the boundary may follow"];
     ways.push({ label, title, change: { keepBoundary: false }, growth: kept });
