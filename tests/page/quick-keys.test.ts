@@ -3,7 +3,14 @@
 // they went, and all of them are one step.
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { downloaded, exportAs, idle, openAdvanced, typeTarget } from "../browser/support/page.ts";
+import {
+  downloaded,
+  exportAs,
+  idle,
+  openAdvanced,
+  status,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { hintedPoint, press as hold } from "../browser/support/view.ts";
 import { decodeLink } from "../web/support/links.ts";
 import { site } from "./support/site.ts";
@@ -115,16 +122,22 @@ it("Ctrl Z under an open dialog changes nothing that nobody sees", async () => {
 });
 
 it("Ctrl Z with a point in the hand leaves the steps alone, and the drag within its limit", async () => {
-  const page = await site.openVault();
+  const page = await site.openSmall();
   await typeTarget(page, "+60cm");
   const edited = (await exportAs(page, "OBJ")).toString();
   const from = await hintedPoint(page);
-  await hold(page, from, { x: from.x + 8, y: from.y - 12 });
+  await hold(page, from, { x: from.x, y: from.y - 140 });
+  await page.getByText(/^Held back: /).waitFor();
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+y");
-  await page.mouse.move(from.x + 9, from.y - 14);
+  await page.mouse.move(from.x, from.y - 150);
   await page.mouse.up();
   await idle(page);
+  const [, now, before] =
+    /sharpest fold ([\d.]+)° \(was ([\d.]+)°\)/.exec(await status(page)) ?? [];
+  // Folds are said to a tenth of a degree.
+  expect(Number(now)).toBeLessThan(Number(before) + 10.1);
+  expect(Number(now)).toBeGreaterThan(Number(before) + 1);
   expect((await exportAs(page, "OBJ")).toString()).not.toBe(edited);
   await press(page, "Undo");
   expect((await exportAs(page, "OBJ")).toString()).toBe(edited);
