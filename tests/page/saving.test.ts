@@ -55,6 +55,22 @@ it.each(["sample", "file"])(
   },
 );
 
+it("nothing that is exported has the name of the opened file, nor is a design's design", async () => {
+  const page = await site.openVault();
+  for (const opened of ["roof.obj", "roof-design.obj"]) {
+    await openFile(page, opened, flatRoof(6));
+    await page.getByRole("button", { name: "Start editing" }).click();
+    for (const format of ["OBJ", "PLY", "GLB", "PNG", "JSON"]) {
+      const { name } = await saved(page, async () => {
+        await page.getByRole("button", { name: "Export" }).click();
+        await page.getByRole("button", { name: format, exact: true }).click();
+      });
+      expect(name).toBe(`roof-design.${format.toLowerCase()}`);
+    }
+  }
+  await page.context().close();
+});
+
 it("the table of panels is saved with a line for every panel", async () => {
   const page = await site.openVault();
   await typeTarget(page, "+40cm");

@@ -19,9 +19,13 @@ const MEDIA: Readonly<Record<FileFormat | "json", string>> = {
   json: "application/json",
 };
 
-/** `ending`: what follows the design's name, with the extension. */
+/** What tells a design from the file that it was made of, whose name it has. */
+const DESIGN = "-design";
+
+/** `ending`: what follows the name of what was opened, with the extension. */
 export function save(page: Page, blob: Blob, ending: string): void {
-  const name = page.designName.value.replace(/\.[a-z]+$/i, "").replace(/[^\p{L}\p{N}_-]+/gu, "-");
+  const opened = page.designName.value.replace(/\.(3dm|[a-z]+)$/i, "");
+  const name = opened.replace(/-design$/i, "").replace(/[^\p{L}\p{N}_-]+/gu, "-");
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = `${name.toLowerCase()}${ending}`;
@@ -87,11 +91,11 @@ export const bytesOf = (page: Page, format: FileFormat | "json"): Outcome<Blob> 
   inTurn(page, () => fileNow(page, format));
 
 export const exportDesign = (page: Page): Outcome =>
-  inTurn(page, () => exportNow(page, "json", "-design.json"));
+  inTurn(page, () => exportNow(page, "json", `${DESIGN}.json`));
 
 /** The design, once all that was asked for is done, written by the core in float64. */
 export const exportMesh = (page: Page, format: FileFormat): Outcome =>
-  inTurn(page, () => exportNow(page, format, `.${format}`));
+  inTurn(page, () => exportNow(page, format, `${DESIGN}.${format}`));
 
 const surfaces = (names: readonly string[]): string =>
   `No surface in Rhino for ${names.slice(0, 5).join(", ")}${names.length > 5 ? " and others" : ""}: not flat enough, or crossing itself. Outlines are all there.`;
@@ -105,7 +109,7 @@ export const exportRhino = (page: Page): Outcome =>
     const answer = await run(page, "writing 3DM", question, "modelled");
     if (!answer.ok) return answer;
     const { bytes, withoutSurface, surfaces: withSurfaces } = answer.value.model;
-    save(page, new Blob([bytes as BlobPart], { type: "model/vnd.3dm" }), ".3dm");
+    save(page, new Blob([bytes as BlobPart], { type: "model/vnd.3dm" }), `${DESIGN}.3dm`);
     if (!withSurfaces) page.notice.value = MANY;
     else if (withoutSurface.length > 0) page.notice.value = surfaces(withoutSurface);
     return answer;
@@ -118,6 +122,6 @@ export const exportPicture = (page: Page): Outcome =>
   inTurn(page, async () => {
     const blob = (await page.takePicture.value?.()) ?? null;
     if (!blob) return refuse("The picture could not be taken.");
-    save(page, blob, ".png");
+    save(page, blob, `${DESIGN}.png`);
     return undefined;
   });
