@@ -111,3 +111,28 @@ it("warns of long links and offers the saved design beside them, and instead of 
   expect((await download).suggestedFilename()).toBe("noise-design.json");
   await page.context().close();
 });
+
+it("where the browser keeps the clipboard from the page, Copy takes the link the older way", async () => {
+  const page = await site.openVault();
+  await page.evaluate(() => {
+    const taken = { text: "" };
+    Object.assign(globalThis, { taken });
+    navigator.clipboard.writeText = () => Promise.reject(new Error("not allowed"));
+    document.execCommand = (command: string) => {
+      const box = document.querySelector<HTMLInputElement>(".link-box");
+      if (command === "copy" && box)
+        taken.text = box.value.slice(box.selectionStart ?? 0, box.selectionEnd ?? 0);
+      return taken.text !== "";
+    };
+  });
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  await page.getByText(/^Copy this link: \d+ characters\./).waitFor();
+  const copy = page.getByRole("button", { name: "Copy", exact: true });
+  await copy.click();
+  await page.getByText(/^Copied: \d+ characters\./).waitFor();
+  expect(await copy.count()).toBe(0);
+  const taken = () => (globalThis as unknown as { taken: { text: string } }).taken.text;
+  expect(await page.evaluate(taken)).toBe(link);
+  await page.context().close();
+});
