@@ -86,3 +86,51 @@ it("is found for what is typed, and stays where someone chose it", async () => {
   expect(await page.getByText(`${found} panels, as needed`).count()).toBe(1);
   await page.context().close();
 });
+
+/** Drags the knob on the line of the reach by `way` pixels. */
+const dragKnob = (page: Page, way: number, letGo: boolean): Promise<void> =>
+  page.locator(".reach-knob").evaluate(
+    (knob, by) => {
+      const canvas = document.querySelector("canvas")?.getBoundingClientRect();
+      const [, x, y] =
+        /translate\((-?\d+)px, (-?\d+)px\)/.exec((knob as HTMLElement).style.transform) ?? [];
+      const start = { x: (canvas?.left ?? 0) + Number(x), y: (canvas?.top ?? 0) + Number(y) };
+      const send = (type: string, moved: number): boolean =>
+        knob.dispatchEvent(
+          new PointerEvent(type, {
+            bubbles: true,
+            cancelable: true,
+            button: type === "pointermove" ? -1 : 0,
+            pointerId: 1,
+            clientX: start.x + moved,
+            clientY: start.y,
+          }),
+        );
+      (knob as HTMLElement).setPointerCapture = () => {};
+      send("pointerdown", 0);
+      send("pointermove", by.way);
+      if (by.letGo) send("pointerup", by.way);
+    },
+    { way, letGo },
+  );
+
+it("is what the knob on its line is dragged to, shown before it is let go", async () => {
+  const page = await site.open({ viewport: { width: 1440, height: 900 } });
+  await typeTarget(page, "+50cm");
+  await slider(page).fill("3");
+  await idle(page);
+  const moved = await movedCount(page);
+  await expect.poll(() => page.locator(".reach-knob:not([hidden])").count()).toBe(1);
+  await dragKnob(page, 60, false);
+  await expect.poll(() => reach(page)).toBeGreaterThan(3);
+  await expect.poll(() => movedCount(page)).toBeGreaterThan(moved);
+  await dragKnob(page, 60, true);
+  await idle(page);
+  const wide = await reach(page);
+  expect(wide).toBeGreaterThan(3);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  expect(await reach(page)).toBe(3);
+  expect(await movedCount(page)).toBe(moved);
+  await page.context().close();
+});
