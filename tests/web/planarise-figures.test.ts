@@ -8,6 +8,7 @@ import {
   usualFold,
 } from "../../web/src/features/planarising/planarise-preview.ts";
 import { ShownStops } from "../../web/src/features/planarising/shown-stops.ts";
+import { isFar } from "../../web/src/features/planarising/stops.ts";
 import { TrialMemory } from "../../web/src/features/planarising/trial-memory.ts";
 import { byCost } from "../../web/src/features/planarising/way-costs.ts";
 
@@ -88,4 +89,10 @@ it("what was tried is known again by its way and its splits, the newest of them"
   memory.keep(way(3), trial);
   expect(memory.find(way(1))).toBeNull();
   expect(memory.find(way(2))).toBe(trial);
+});
+
+it("a move is an alarm from 1 % of the longest side on", () => {
+  const opened = { positions: Float64Array.from([0, 0, 0, 3, 20, 1]) };
+  expect(isFar(0.199, opened)).toBe(false);
+  expect(isFar(0.201, opened)).toBe(true);
 });

@@ -2,7 +2,7 @@
 import type { Design } from "../../design/design.ts";
 import type { Trial } from "../../design/planarising.ts";
 import { type OpenedMesh, PER_PANEL } from "../../solver/protocol.ts";
-import { FAR, sizeOf } from "./stops.ts";
+import { isFar } from "./stops.ts";
 
 /** Whether every panel is as flat as was asked for. */
 export const isMet = ({ how, mesh: { report } }: Trial, { settings }: Design): boolean =>
@@ -10,7 +10,7 @@ export const isMet = ({ how, mesh: { report } }: Trial, { settings }: Design): b
 
 /** Whether nothing else is to be shown in its place: it is met, or near the file. */
 export const serves = (trial: Trial, design: Design, opened: OpenedMesh): boolean =>
-  isMet(trial, design) || trial.mesh.report.planarising.largest <= FAR * sizeOf(opened);
+  isMet(trial, design) || !isFar(trial.mesh.report.planarising.largest, opened);
 
 /** What counts of every panel's bend, mm/m. @param figures as in PanelMeasures */
 export function excessesOf(figures: Float32Array): Float32Array {

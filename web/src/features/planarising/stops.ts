@@ -38,6 +38,10 @@ export function sizeOf({ positions }: Pick<OpenedMesh, "positions">): number {
   return Math.max(...high.map((top, axis) => top - (low[axis] ?? 0)));
 }
 
+/** Whether a largest move is farther than anyone expects of making panels flat; model units. */
+export const isFar = (largest: number, opened: Pick<OpenedMesh, "positions">): boolean =>
+  largest > FAR * sizeOf(opened);
+
 /** Two digits of it: "195", "0.0034". */
 const rounded = (length: number): number => Number(length.toPrecision(2));
 

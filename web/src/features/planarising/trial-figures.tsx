@@ -9,7 +9,7 @@ import type { Page } from "../../state/page.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { excessesOf } from "./is-met.ts";
 import { sharpestFold, spoiltWords, usualFold } from "./planarise-preview.ts";
-import { FAR, sizeOf } from "./stops.ts";
+import { isFar, sizeOf } from "./stops.ts";
 
 /** What it is, of the file, after, and whether that is an alarm. */
 type Row = readonly [name: string, file: string, after: string, alarm?: boolean];
@@ -39,7 +39,7 @@ export function moveWords(page: Page, { mesh }: Trial, opened: OpenedMesh): stri
 
 /** Whether points move farther than anyone expects of making panels flat. */
 export const movesFar = ({ mesh }: Trial, opened: OpenedMesh): boolean =>
-  mesh.report.planarising.largest > FAR * sizeOf(opened);
+  isFar(mesh.report.planarising.largest, opened);
 
 function rowsOf(page: Page, trial: Trial, opened: OpenedMesh): readonly Row[] {
   const { moved } = trial.mesh.report.planarising;
