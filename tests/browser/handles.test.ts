@@ -5,7 +5,7 @@ import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { idle, openFile } from "./support/page.ts";
 import { site } from "./support/site.ts";
-import { handleRows } from "./support/view.ts";
+import { handleRows, hintedPoint, press } from "./support/view.ts";
 
 const SIDE = 101;
 
@@ -43,8 +43,33 @@ const fits = (page: Page): Promise<boolean> =>
     }),
   );
 
+/** The row of many pins goes the whole way across the table, its words and buttons on one line. */
+async function expectOneLine(page: Page): Promise<void> {
+  const { x, y } = await hintedPoint(page);
+  await page.keyboard.down("Shift");
+  await press(page, { x: x - 90, y: y - 60 }, { x: x + 90, y: y + 60 });
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  await page.keyboard.press("p");
+  await idle(page);
+  const row = table(page)
+    .getByRole("row")
+    .filter({ hasText: /^\d+ pinned/ });
+  const wide = await table(page).boundingBox();
+  const box = await row.boundingBox();
+  expect(box?.width).toBeGreaterThan(0.95 * (wide?.width ?? Number.POSITIVE_INFINITY));
+  const tops = await row
+    .getByRole("button")
+    .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
+  expect(tops.length).toBeGreaterThan(2);
+  expect(Math.max(...tops) - Math.min(...tops)).toBeLessThan(12);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+}
+
 it("shows every digit of far coordinates and high numbers, on a desk and a telephone", async () => {
   const page = await site.openVault({ viewport: { width: 1280, height: 800 } });
+  await expectOneLine(page);
   const { text, points } = farRoof();
   await openFile(page, "far.obj", text);
   await page.getByRole("button", { name: "Start editing" }).click();
