@@ -61,6 +61,19 @@ function wall(): string {
   return [...places, ...faces].join("\n");
 }
 
+/** A finger on the view. */
+const touch = (page: Page, type: string, { x, y }: Place): Promise<void> =>
+  page.evaluate(
+    ([event, clientX, clientY]) => {
+      const touched = { pointerType: "touch", isPrimary: true, pointerId: 2 };
+      const at = { bubbles: true, cancelable: true, clientX, clientY };
+      document
+        .querySelector("canvas")
+        ?.dispatchEvent(new PointerEvent(event, { ...touched, ...at }));
+    },
+    [type, x, y] as const,
+  );
+
 describe("a drag without a lock", () => {
   it("goes up on a roof, and with Alt where the pointer goes", async () => {
     const page = await openPage();
@@ -102,6 +115,25 @@ describe("a drag without a lock", () => {
     if (!row) throw new Error("no handle");
     // Sideways is no way along the line.
     expect(offset(row).slice(0, 2)).toEqual([0, 0]);
+    await page.context().close();
+  });
+
+  it("says to a finger what frees it where there is no key", async () => {
+    const page = await openPage();
+    const from = await hintedPoint(page);
+    const words = page.getByText(
+      "It goes up and down only: lift it, and choose another axis in the drag tools.",
+    );
+    await touch(page, "pointerdown", { x: from.x, y: from.y });
+    await touch(page, "pointermove", { x: from.x + 20, y: from.y });
+    await idle(page);
+    expect(await words.count()).toBe(0);
+    await touch(page, "pointermove", { x: from.x + 90, y: from.y });
+    await idle(page);
+    expect(await words.count()).toBe(1);
+    await touch(page, "pointerup", { x: from.x + 90, y: from.y });
+    await idle(page);
+    expect(await words.count()).toBe(0);
     await page.context().close();
   });
 

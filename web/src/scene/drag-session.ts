@@ -40,8 +40,10 @@ export interface HeldDrag {
   readonly free: boolean;
   /** The limit on folds. */
   readonly through: boolean;
-  /** What a pixel spans at depth 1; null where no key moves the point freely. */
-  readonly pixel: number | null;
+  /** What a pixel spans at depth 1. */
+  readonly pixel: number;
+  /** Beside which no key is held. */
+  readonly byFinger: boolean;
   /** How far, model units, whatever the pointer says; null: it says so. */
   readonly typed: number | null;
 }
@@ -72,20 +74,21 @@ export class DragSession {
   }
 
   /** The pointer moved, or (without a ray) the lock or the snapping changed. */
-  move({ lock, snap, free, through, typed, pixel }: HeldDrag, ray: Ray = this.#ray): void {
+  move(how: HeldDrag, ray: Ray = this.#ray): void {
+    const { lock, snap, free, through, typed, pixel } = how;
     this.#ray = ray;
     const { start, arrow, press, view } = this.#at;
     const sight = start.clone().sub(press.origin).normalize();
     const usual = free ? null : usualLine(this.#local[2] ?? WORLD.z, sight);
     const held = lock ? this.#heldBy(lock) : (arrow ?? usual);
     const offset = dragged(press, ray, arrow?.at ?? start, held, view);
-    this.#drag.byFinger = pixel === null && !free;
+    this.#drag.byFinger = how.byFinger && !free;
     // A length or a step is asked for by name: no fold takes it back.
     if (typed !== null) this.#drag.by(ofLength(typed, held, offset), true);
     else if (!offset) this.#drag.endOn();
     else if (snap) this.#drag.by(this.#toModel(this.#snapped(offset, held, snap)), true);
     else this.#drag.by(this.#toModel(offset), through);
-    const usualHolds = usual !== null && held === usual && pixel !== null;
+    const usualHolds = usual !== null && held === usual;
     this.#drag.goesAside(
       usualHolds && aside(press, ray, start, usual, view) > ASIDE * pixel
         ? usual.direction.z

@@ -42,6 +42,7 @@ export function holdOf(
     page.snapping.value === snap
       ? null
       : { step: page.snapDistance.value, reach: HOME * stage.pixel() };
-  const pixel = coarse ? null : pixelSlope(stage.camera);
-  return { lock: page.lock.value, snap: steps, free, through, pixel, typed: typedPull(page) };
+  const pixel = pixelSlope(stage.camera);
+  const [lock, typed] = [page.lock.value, typedPull(page)];
+  return { lock, snap: steps, free, through, pixel, byFinger: coarse, typed };
 }

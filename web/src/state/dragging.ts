@@ -74,12 +74,16 @@ const scale = ([x, y, z]: Point, by: number): Point => [by * x, by * y, by * z];
 const END_ON = "This direction points at you: turn the view, or type the coordinate.";
 
 /** What the usual line of a drag allows, to somebody who pulls elsewhere. */
-const ASIDE = {
-  up: "It goes up and down only: hold Alt to move it freely.",
-  out: "It goes in and out only: hold Alt to move it freely.",
+const ASIDE = { up: "It goes up and down only: ", out: "It goes in and out only: " } as const;
+
+/** A finger has no Alt. */
+const FREED = {
+  byKey: "hold Alt to move it freely.",
+  byFinger: "lift it, and choose another axis in the drag tools.",
 } as const;
 
-const isAside = (said: string | null): boolean => said === ASIDE.up || said === ASIDE.out;
+const isAside = (said: string | null): boolean =>
+  Object.values(ASIDE).some((words) => said?.startsWith(words));
 
 const HELD = "Held back: ";
 
@@ -242,7 +246,9 @@ export class Drag {
   goesAside(up: number | null): void {
     const { notice } = this.#page;
     if (up === null && isAside(notice.value)) notice.value = null;
-    if (up !== null && !isHeldBack(notice.value)) notice.value = up === 1 ? ASIDE.up : ASIDE.out;
+    if (up === null || isHeldBack(notice.value)) return;
+    const freed = this.byFinger ? FREED.byFinger : FREED.byKey;
+    notice.value = `${up === 1 ? ASIDE.up : ASIDE.out}${freed}`;
   }
 
   /** The line that it is held to points at the viewer: no place on screen says how far along. */
