@@ -2,11 +2,11 @@
 import { expect, it } from "vitest";
 import { layOut } from "../../web/src/features/second-layer/offset.ts";
 import { done, GIVEN_UP, refuse } from "../../web/src/result/result.ts";
+import { enqueue } from "../../web/src/state/action-queue.ts";
 import { setTarget, shownPoint, undo } from "../../web/src/state/editing.ts";
 import { openFile } from "../../web/src/state/files.ts";
 import { openSample } from "../../web/src/state/opening.ts";
 import { report } from "../../web/src/state/telling.ts";
-import { inTurn } from "../../web/src/state/turns.ts";
 import { openedPage, pageAlone } from "./support/page-here.ts";
 
 it("what goes wrong is said, what goes well takes it back, what is given up leaves it", () => {
@@ -23,9 +23,9 @@ it("a turn reports what comes of its action, once, and hands it on", async () =>
   const page = pageAlone();
   const said: (string | null)[] = [];
   page.problem.subscribe((sentence) => said.push(sentence));
-  expect(await inTurn(page, async () => refuse("No."))).toEqual(refuse("No."));
-  expect(await inTurn(page, async () => undefined)).toBeUndefined();
-  expect(await inTurn(page, async () => done("yes"))).toEqual(done("yes"));
+  expect(await enqueue(page, async () => refuse("No."))).toEqual(refuse("No."));
+  expect(await enqueue(page, async () => undefined)).toBeUndefined();
+  expect(await enqueue(page, async () => done("yes"))).toEqual(done("yes"));
   expect(said).toEqual([null, "No.", null]);
 });
 

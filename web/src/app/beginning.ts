@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import { keepElsewhere, restoreSaved, startAutosave } from "../features/saving/autosave.ts";
+import { enqueue } from "../state/action-queue.ts";
 import { placeCamera } from "../state/camera.ts";
 import { solverIsThere } from "../state/connection.ts";
 import { loadFigures, rememberOrigin } from "../state/figures.ts";
@@ -12,7 +13,6 @@ import type { Page } from "../state/page.ts";
 import { recoverFromDeath, show } from "../state/showing.ts";
 import { sectionPlane } from "../state/shown-section.ts";
 import { say } from "../state/telling.ts";
-import { inTurn } from "../state/turns.ts";
 import { followAddress, openAddress, openAddressOverKept } from "./address.ts";
 import { keepOffline } from "./offline.ts";
 
@@ -26,7 +26,7 @@ async function openSaved(page: Page, saved: ReturnType<typeof restoreSaved>): Pr
   if (restored.kind === "none") return false;
   const { record } = restored;
   let shown = false;
-  await inTurn(page, async () => {
+  await enqueue(page, async () => {
     const end = await show(page, record.present);
     shown = end.ok;
     return end.ok ? undefined : end;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
 import { saveNow } from "../features/saving/autosave.ts";
+import { enqueue, type Outcome } from "../state/action-queue.ts";
 import type { Page } from "../state/page.ts";
-import { inTurn, type Outcome } from "../state/turns.ts";
 
 /** Changes versions between two actions, once the design is kept. */
 function changeTo(page: Page, waiting: ServiceWorker): Outcome {
-  return inTurn(page, async () => {
+  return enqueue(page, async () => {
     await saveNow(page);
     navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
     waiting.postMessage("take over");

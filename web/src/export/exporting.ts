@@ -4,12 +4,12 @@ import { done, type Result, refuse } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import type { FileFormat } from "../solver/file-formats.ts";
 import type { DesignValue } from "../solver/protocol.ts";
+import { enqueue, type Outcome } from "../state/action-queue.ts";
 import { readCamera } from "../state/camera.ts";
 import { run } from "../state/connection.ts";
 import { changedGroups } from "../state/kept-groups.ts";
 import { loadPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
-import { inTurn, type Outcome } from "../state/turns.ts";
 
 const MEDIA: Readonly<Record<FileFormat | "json", string>> = {
   obj: "model/obj",
@@ -88,21 +88,21 @@ async function exportNow(page: Page, format: FileFormat | "json", ending: string
 
 /** The file of the design for whoever has no use for a download. */
 export const bytesOf = (page: Page, format: FileFormat | "json"): Outcome<Blob> =>
-  inTurn(page, () => fileNow(page, format));
+  enqueue(page, () => fileNow(page, format));
 
 export const exportDesign = (page: Page): Outcome =>
-  inTurn(page, () => exportNow(page, "json", `${DESIGN}.json`));
+  enqueue(page, () => exportNow(page, "json", `${DESIGN}.json`));
 
 /** The design, once all that was asked for is done, written by the core in float64. */
 export const exportMesh = (page: Page, format: FileFormat): Outcome =>
-  inTurn(page, () => exportNow(page, format, `${DESIGN}.${format}`));
+  enqueue(page, () => exportNow(page, format, `${DESIGN}.${format}`));
 
 const surfaces = (names: readonly string[]): string =>
   `No surface in Rhino for ${names.slice(0, 5).join(", ")}${names.length > 5 ? " and others" : ""}: not flat enough, or crossing itself. Outlines are all there.`;
 
 /** A Rhino model: panels, outlines and a mesh, which opens again here as the design. */
 export const exportRhino = (page: Page): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const design = await recipe(page, true);
     if (!design.ok) return design;
     const question = { kind: "model", unit: page.unit.value, design: design.value } as const;
@@ -119,7 +119,7 @@ const MANY =
   "Above 5,000 panels the Rhino model holds outlines and a mesh; trimmed planes would take long to open.";
 
 export const exportPicture = (page: Page): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const blob = (await page.takePicture.value?.()) ?? null;
     if (!blob) return refuse("The picture could not be taken.");
     save(page, blob, `${DESIGN}.png`);

@@ -3,9 +3,9 @@
 import { type Ray, Vector3 } from "three";
 import type { Point } from "../design/design.ts";
 import type { Frame } from "../mesh/point-frame.ts";
+import type { Outcome } from "../state/action-queue.ts";
 import type { Drag } from "../state/dragging.ts";
 import type { Lock } from "../state/page-state.ts";
-import type { Outcome } from "../state/turns.ts";
 import { type Arrow, aside, dragged, type Held, snapOffset, usualLine } from "./constraint.ts";
 
 const WORLD = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };

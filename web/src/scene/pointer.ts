@@ -2,9 +2,9 @@
 // Presses become clicks, drags of points, areas or turns of the camera; with mouse, pen and touch.
 
 import type { Ray } from "three";
+import type { Outcome } from "../state/action-queue.ts";
 import type { Page } from "../state/page.ts";
 import type { AreaTool } from "../state/page-state.ts";
-import type { Outcome } from "../state/turns.ts";
 import { typePull } from "../state/typed-pull.ts";
 import type { Arrow } from "./constraint.ts";
 import type { DragSession } from "./drag-session.ts";

@@ -18,6 +18,7 @@ import type { Question } from "../solver/client.ts";
 import { foldGrowth, isFound, stepOf } from "../solver/found-limits.ts";
 import { NOTICEABLE } from "../solver/how-far.ts";
 import type { EditSettings, HandleList, PullLimit } from "../solver/protocol.ts";
+import { enqueue, type Outcome } from "./action-queue.ts";
 import { client, frame } from "./connection.ts";
 import {
   basePoint,
@@ -36,9 +37,8 @@ import { shownTab } from "./inspector.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
 import { reachesFor } from "./reach-choice.ts";
+import { growthOf, lastRefusedPull } from "./refused-pull.ts";
 import { showPresent } from "./showing.ts";
-import { inTurn, type Outcome } from "./turns.ts";
-import { growthOf, wanted } from "./wanted.ts";
 
 /** Where a drag of a point starts: at its target, unless a variation has taken the point away from
  * it; without a target where it is. */
@@ -192,7 +192,7 @@ export class Drag {
   #want(design: Design | null): void {
     const degrees = this.#limitFor(this.#through)?.degrees ?? Number.POSITIVE_INFINITY;
     const growth = growthOf(degrees);
-    wanted(this.#page).value = { handles: this.#asked, growth, dragged: true, design };
+    lastRefusedPull(this.#page).value = { handles: this.#asked, growth, dragged: true, design };
   }
 
   /** @param over no key goes through any more */
@@ -229,7 +229,8 @@ export class Drag {
 
   /** Lets go of the pull, which nothing holds back. */
   #letGo(): void {
-    if (wanted(this.#page).value?.design === null) wanted(this.#page).value = null;
+    if (lastRefusedPull(this.#page).value?.design === null)
+      lastRefusedPull(this.#page).value = null;
   }
 
   /** How far the leading point is pulled. */
@@ -266,7 +267,7 @@ export class Drag {
 
   end(): Outcome {
     this.#finish();
-    return inTurn(this.#page, async () => {
+    return enqueue(this.#page, async () => {
       const { value } = this.#page.draft;
       if (!value || value === this.#page.history.value?.present) return;
       const design = { ...value, handles: this.#asked };
@@ -288,7 +289,7 @@ export class Drag {
     if (isHeldBack(this.#page.notice.value)) this.#page.notice.value = null;
     this.#letGo();
     this.#finish();
-    return inTurn(this.#page, () => showPresent(this.#page));
+    return enqueue(this.#page, () => showPresent(this.#page));
   }
 }
 

@@ -29,6 +29,7 @@ import type {
   SoughtLimits,
 } from "../solver/protocol.ts";
 import { REACHES } from "../solver/reach-steps.ts";
+import { enqueue, type Outcome } from "./action-queue.ts";
 import { isSeen } from "./camera.ts";
 import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
@@ -36,7 +37,6 @@ import { firstReach, noteReach, reachesFor } from "./reach-choice.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { openBase, restorePresent, showStep } from "./showing.ts";
-import { inTurn, type Outcome } from "./turns.ts";
 
 /** A drag frame may take this long; what it has then is exact, if not yet optimal. */
 const FRAME_SECONDS = 0.016;
@@ -206,7 +206,7 @@ export const edit = (
   change: (rows: readonly HandleRow[]) => HandleRow[],
   burst: string | null = null,
 ): Outcome =>
-  inTurn(
+  enqueue(
     page,
     async () => {
       const before = page.draft.value?.handles ?? [];
@@ -340,7 +340,7 @@ export function commitSettings(
   burst: string | null = null,
 ): Outcome {
   client(page).dropStreams();
-  return inTurn(
+  return enqueue(
     page,
     async () => {
       const design = page.draft.value;
@@ -361,7 +361,7 @@ export function commitSettings(
 
 /** The reach is nobody's choice any more: the edit is made again with the smallest that suffices. */
 export const letReachGrow = (page: Page): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const { value } = page.draft;
     if (!value) return;
     page.reachChosen.value = false;
@@ -374,7 +374,7 @@ export const letReachGrow = (page: Page): Outcome =>
 
 function step(page: Page, move: typeof steps.undo<Design>): Outcome {
   client(page).dropStreams();
-  return inTurn(page, async () => {
+  return enqueue(page, async () => {
     const from = page.history.value;
     const to = from && move(from);
     if (!to || to === from) return;

@@ -11,6 +11,7 @@ import { done, type Refusal, type Result, refuse } from "../result/result.ts";
 import type { Context } from "../rhino/context.ts";
 import { FILE_FORMATS, namesOfFormats } from "../solver/file-formats.ts";
 import type { DesignReading, OpenedMesh, Source, StoredDesign } from "../solver/protocol.ts";
+import { enqueue, type Outcome } from "./action-queue.ts";
 import { baseOf, openQuestion, run } from "./connection.ts";
 import { readText } from "./design-text.ts";
 import { distance, formatSmall, isRounding } from "./deviating.ts";
@@ -18,7 +19,6 @@ import { adopt, freshDesign } from "./opening.ts";
 import type { Page } from "./page.ts";
 import { compute, differingIn, replayNow, sizeOf } from "./replaying.ts";
 import { restorePresent, takeMesh } from "./showing.ts";
-import { inTurn, type Outcome } from "./turns.ts";
 
 function finish(page: Page, design: Design, said: string): void {
   page.draft.value = design;
@@ -180,7 +180,7 @@ async function openNow(page: Page, file: File): Outcome {
 }
 
 export const openFile = (page: Page, file: File): Outcome =>
-  inTurn(page, () => {
+  enqueue(page, () => {
     // It was of what was open before, also where this file is refused.
     page.notice.value = null;
     return openNow(page, file);

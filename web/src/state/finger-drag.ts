@@ -3,9 +3,9 @@
 // long as that was the last step.
 import { effect, signal } from "@preact/signals";
 import type { Design } from "../design/design.ts";
+import type { Outcome } from "./action-queue.ts";
 import { undo } from "./editing.ts";
 import { kept, type Page } from "./page.ts";
-import type { Outcome } from "./turns.ts";
 
 export interface FingerDrag {
   /** The point that led. */
@@ -43,6 +43,6 @@ export function keepDrag(page: Page): void {
 export async function discardDrag(page: Page): Outcome {
   const drag = fingerDrag(page).value;
   keepDrag(page);
-  const last = drag?.design === page.history.value?.present && page.turnsLeft.value === 0;
+  const last = drag?.design === page.history.value?.present && page.queued.value === 0;
   return drag && last ? undo(page) : undefined;
 }

@@ -9,11 +9,11 @@ import { springOf, withSpring } from "../design/listed-supports.ts";
 import { LONGEST_NAME } from "../design/reading.ts";
 import type { DisplayMesh } from "../mesh/display-mesh.ts";
 import { cornersOf, panelsOf } from "../mesh/group-members.ts";
+import type { Outcome } from "./action-queue.ts";
 import { commitSettings, freePins, setPinned } from "./editing.ts";
 import { hidden, hiddenPanels } from "./hidden-panels.ts";
 import { changedGroups, groupFigures, keepGroups } from "./kept-groups.ts";
 import { kept, type Page } from "./page.ts";
-import type { Outcome } from "./turns.ts";
 
 const NONE: readonly Group[] = [];
 

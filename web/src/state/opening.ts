@@ -17,13 +17,13 @@ import { counted } from "../quantity/counted.ts";
 import { done, GIVEN_UP, type Refusal, type Result } from "../result/result.ts";
 import { isFound } from "../solver/found-limits.ts";
 import type { MeshReport, OpenedMesh, Planarising, Source } from "../solver/protocol.ts";
+import { enqueue, type Outcome } from "./action-queue.ts";
 import { openQuestion, run } from "./connection.ts";
 import { commitEdit } from "./editing.ts";
 import type { Page } from "./page.ts";
 import { firstReach } from "./reach-choice.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { restorePresent, takeMesh } from "./showing.ts";
-import { inTurn, type Outcome } from "./turns.ts";
 
 /** A tolerance that one mesh asked for is no choice for another. */
 function toleranceFor(page: Page, source: Source, tolerance: number): number {
@@ -93,7 +93,7 @@ export function adopt(
 }
 
 export const openSample = (page: Page, name: string): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const sample = SAMPLES.find((s) => s.name === name);
     if (!sample) return;
     const source: Source = { kind: "sample", name, size: sample.size };
@@ -218,7 +218,7 @@ export async function planariseNow(page: Page, kind?: Kind, trial?: Trial): Outc
 /** What is tried out is what is taken, as soon as it is there. */
 export function planarise(page: Page): Outcome {
   const tried = page.planariseTrial.peek();
-  return inTurn(page, async () => {
+  return enqueue(page, async () => {
     if (tried.kind !== "shown" && tried.kind !== "running") return planariseNow(page);
     const trial = tried.kind === "shown" ? tried.trial : await tried.done;
     if (!trial) return;
@@ -228,7 +228,7 @@ export function planarise(page: Page): Outcome {
 
 /** Makes the mesh itself circular or conical, which its edits then keep. */
 export const makeKept = (page: Page, kind: Kind): Outcome =>
-  inTurn(page, () => planariseNow(page, kind));
+  enqueue(page, () => planariseNow(page, kind));
 
 /** The first visit: the painted sample becomes live, and one point asks to be dragged. */
 export async function openFirst(page: Page): Promise<void> {

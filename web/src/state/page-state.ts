@@ -162,7 +162,7 @@ export class PageState {
   readonly planariseTrial = signal<Preview>({ kind: "none" });
   readonly notice = signal<string | null>(null);
   /** Actions that run or wait and have not been dropped. */
-  readonly turnsLeft = signal(0);
+  readonly queued = signal(0);
   /** Changes to a newer version of the page; null while there is none. */
   readonly update = signal<(() => void) | null>(null);
   /** Points chosen, the latest last. */
@@ -273,5 +273,5 @@ export class PageState {
   });
   readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
   readonly canRedo = computed(() => (this.history.value?.future.length ?? 0) > 0);
-  readonly busy = computed(() => this.activity.value !== null || this.turnsLeft.value > 0);
+  readonly busy = computed(() => this.activity.value !== null || this.queued.value > 0);
 }

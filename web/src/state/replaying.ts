@@ -8,6 +8,7 @@ import * as steps from "../design/history.ts";
 import type { Steps } from "../design/recipe.ts";
 import { done, type Result, refuse } from "../result/result.ts";
 import type { OpenedMesh, Shape, SliderLead } from "../solver/protocol.ts";
+import { enqueue } from "./action-queue.ts";
 import { placeCamera } from "./camera.ts";
 import { baseOf, held, openQuestion, run, runUnseen } from "./connection.ts";
 import { deviationWords, isRounding } from "./deviating.ts";
@@ -16,7 +17,6 @@ import type { Page } from "./page.ts";
 import { type Received, receive, variantsOf } from "./receiving.ts";
 import { showPresent, takeMesh } from "./showing.ts";
 import { sliderLeads } from "./slider-leads.ts";
-import { inTurn } from "./turns.ts";
 
 /** The size of the mesh, model units: display coordinates span ten. */
 export const sizeOf = ({ scale }: OpenedMesh["report"]): number => 10 / scale;
@@ -168,7 +168,7 @@ export const differingIn = (replayed: Result<string>): Result<string> =>
 /** True if the design is there; otherwise the problem has been said. */
 export async function replay(page: Page, recipe: Steps): Promise<boolean> {
   let opened = false;
-  await inTurn(page, async () => {
+  await enqueue(page, async () => {
     const replayed = await replayNow(page, recipe);
     opened = replayed.ok;
     return differingIn(replayed);

@@ -9,6 +9,7 @@ import { sameSymmetry } from "../design/symmetry.ts";
 import { done, type Refusal, type Result } from "../result/result.ts";
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { displayOfShape } from "../solver/shape-display.ts";
+import { dropQueued, enqueue, holdTurns } from "./action-queue.ts";
 import {
   announceChanges,
   type Base,
@@ -24,7 +25,6 @@ import {
 } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { report, say } from "./telling.ts";
-import { dropTurns, holdTurns, inTurn } from "./turns.ts";
 
 const sameSource = (a: Source, b: Source): boolean => {
   if (a === b) return true;
@@ -160,8 +160,8 @@ export function recoverFromDeath(page: Page): void {
       say(page, "The solver keeps stopping. Reload the page: the design is kept.");
       return;
     }
-    dropTurns(page);
-    void inTurn(page, async () => {
+    dropQueued(page);
+    void enqueue(page, async () => {
       const refusal = await showPresent(page);
       if (!refusal && page.history.value) mine.tries = 0;
       return refusal;
@@ -176,7 +176,7 @@ export function recoverFromDeath(page: Page): void {
 export function cancel(page: Page): void {
   const trial = page.planariseTrial.peek();
   if (trial.kind === "running") trial.giveUp();
-  dropTurns(page);
+  dropQueued(page);
   restartSolver(page);
   const design = page.history.value?.present;
   if (!design) return;
@@ -184,7 +184,7 @@ export function cancel(page: Page): void {
   page.figures.value = design.report;
   const mine = own(page);
   if (!mine.shown || !sameBase(mine.shown, baseOf(design))) {
-    void inTurn(page, () => showPresent(page));
+    void enqueue(page, () => showPresent(page));
     return;
   }
   announceChanges(page, displayOf(page, design));

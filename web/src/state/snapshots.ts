@@ -4,9 +4,9 @@
 import type { Design } from "../design/design.ts";
 import * as steps from "../design/history.ts";
 import type { Snapshot } from "../design/saved-record.ts";
+import { enqueue, type Outcome } from "./action-queue.ts";
 import { kept, type Page } from "./page.ts";
 import { showStep } from "./showing.ts";
-import { inTurn, type Outcome } from "./turns.ts";
 
 /** A small picture of a design, as a data: address. */
 type Draw = (design: Design) => string;
@@ -49,7 +49,7 @@ export function keepSnapshot(page: Page, design: Design, given?: string, id = ne
 /** Keeps the design once everything that was asked for before is done; gives the snapshot's id. */
 export async function takeSnapshot(page: Page, name?: string): Promise<string> {
   const id = newId();
-  await inTurn(page, async () => {
+  await enqueue(page, async () => {
     const design = page.history.value?.present;
     if (design) keepSnapshot(page, design, name, id);
   });
@@ -73,7 +73,7 @@ export function deleteSnapshot(page: Page, id: string): void {
 
 /** Makes the snapshot the design, as one step of the history. */
 export const adoptSnapshot = (page: Page, id: string): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const snapshot = page.snapshots.value.find((one) => one.id === id);
     if (!snapshot || !page.history.value || page.history.value.present === snapshot.design) return;
     page.notice.value = null;

@@ -3,9 +3,9 @@
 
 import { FLAT_TEXT } from "../design/flatness.ts";
 import type { EditSettings } from "../solver/protocol.ts";
+import type { Outcome } from "./action-queue.ts";
 import { commitSettings } from "./editing.ts";
 import type { Page } from "./page.ts";
-import type { Outcome } from "./turns.ts";
 
 /** mm/m, the tightest first. What edits touch of a mesh within one of them becomes flat; of one that is bent more it
  * stays as bent as it is: docs/decisions/0028-planarising-is-tried-out.md. */

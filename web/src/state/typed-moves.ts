@@ -3,11 +3,11 @@
 
 import { type HandleRow, type Point, withHandle } from "../design/design.ts";
 import { add } from "../mesh/vector.ts";
+import type { Outcome } from "./action-queue.ts";
 import { askedPoint, frameAt } from "./dragging.ts";
 import { edit, handleOf } from "./editing.ts";
 import { moveWeights } from "./fall-off.ts";
 import type { Page } from "./page.ts";
-import type { Outcome } from "./turns.ts";
 
 /** `target`: where a point goes, all but pinned ones, with the share of the move that it takes part in. */
 function move(

@@ -4,6 +4,7 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { HandleRow, Point } from "../design/design.ts";
 import { formatLength, niceStep } from "../quantity/units.ts";
+import type { Outcome } from "../state/action-queue.ts";
 import { FLAT_FIRST } from "../state/dragging.ts";
 import {
   addHandle,
@@ -16,7 +17,6 @@ import {
 import type { Page } from "../state/page.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
-import type { Outcome } from "../state/turns.ts";
 import { Icon } from "./icon.tsx";
 import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";

@@ -5,11 +5,11 @@ import { FIRST_SETTINGS } from "../../design/design.ts";
 import { counted } from "../../quantity/counted.ts";
 import { refuse } from "../../result/result.ts";
 import type { Question } from "../../solver/client.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { runUnseen } from "../../state/connection.ts";
 import { FLAT_FIRST } from "../../state/dragging.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 import { cutWords } from "./cut-text.ts";
 
 /** Cuts as --cut says them, in the order in which they are made. */
@@ -29,7 +29,7 @@ function goneWords(gone: readonly number[]): string {
 
 /** The edit, if there is one, is solved again on the mesh that they leave. */
 async function commitCuts(page: Page, to: readonly string[], said: string): Outcome {
-  if (!page.baseFlat.value) return inTurn(page, async () => refuse(FLAT_FIRST));
+  if (!page.baseFlat.value) return enqueue(page, async () => refuse(FLAT_FIRST));
   const handles = page.handles.value;
   const end = await commitSettings(page, { cuts: to });
   if (!end?.ok) return end;
@@ -50,7 +50,7 @@ export async function makeCut(
   text: string,
   trial: TryCut,
 ): Promise<Awaited<Outcome> | string> {
-  const tried = await inTurn(page, () => runUnseen(page, "cutting", trial, "tried"));
+  const tried = await enqueue(page, () => runUnseen(page, "cutting", trial, "tried"));
   if (!tried?.ok) return tried;
   const { problem } = tried.value.trial;
   if (problem) return problem;

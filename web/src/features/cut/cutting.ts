@@ -4,9 +4,9 @@
 import { computed, effect, signal, untracked } from "@preact/signals";
 import type { DisplayMesh } from "../../mesh/display-mesh.ts";
 import type { CutTrial } from "../../solver/protocol.ts";
+import type { Outcome } from "../../state/action-queue.ts";
 import { client } from "../../state/connection.ts";
 import { kept, type Page } from "../../state/page.ts";
-import type { Outcome } from "../../state/turns.ts";
 import { fromSelection } from "./cut-selection.ts";
 import { type CutKind, type OutlinePlace, refineText } from "./cut-text.ts";
 import { makeCut, type TryCut } from "./cuts.ts";

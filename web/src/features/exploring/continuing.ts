@@ -2,11 +2,11 @@
 // The design as it stands becomes a mesh of its own, from which the next edits start.
 
 import { sourceName } from "../../design/design.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import { holdAlsoFor } from "../../state/kept-groups.ts";
 import { adopt, readMade } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 const CONTINUED = /, continued(?: (\d+))?$/;
 
@@ -23,7 +23,7 @@ const SAID =
 
 /** Goes on from the shape as a mesh, one step of the history; OBJ keeps every bit of every coordinate. */
 export const continueFromShape = (page: Page): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const design = page.history.value?.present;
     if (!design || design.shape.moved.length === 0) return;
     const label = "starting from this shape";

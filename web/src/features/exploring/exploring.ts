@@ -12,13 +12,13 @@ import { isFlat } from "../../design/flatness.ts";
 import * as steps from "../../design/history.ts";
 import { done, GIVEN_UP, type Result } from "../../result/result.ts";
 import type { VariationFamily } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { client, frame, held, run, runUnseen } from "../../state/connection.ts";
 import { commit } from "../../state/editing.ts";
 import { planariseNow } from "../../state/opening.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { restorePresent, show } from "../../state/showing.ts";
 import { sliderLeads } from "../../state/slider-leads.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 type Varied = Design & { readonly variation: Variation };
 
@@ -44,7 +44,7 @@ function earlierOf({ variation }: Design): readonly Family[] {
 }
 
 export const explore = (page: Page): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const inexact = page.draft.value?.variation && !page.draft.value.variation.exact;
     const made = inexact && (await makeExactNow(page));
     if (made && !made.ok) return made;
@@ -115,7 +115,7 @@ export function previewVariation(page: Page, index: number, value: number): void
   }
   const design = page.draft.value;
   own(page).preparing = true;
-  void inTurn(page, async () => {
+  void enqueue(page, async () => {
     return design ? ensureDirections(page, design) : undefined;
   }).finally(() => {
     own(page).preparing = false;
@@ -130,7 +130,7 @@ export function commitVariation(
   burst: string | null = null,
 ): Outcome {
   client(page).dropStreams();
-  return inTurn(
+  return enqueue(
     page,
     async () => {
       const next = varied(page, index, value);
@@ -181,4 +181,4 @@ function alreadyExact(page: Page, { settings, variation }: Design): string {
 }
 
 /** The nearest flat design to what is shown; an opened mesh that is not flat is planarised. */
-export const makeExact = (page: Page): Outcome => inTurn(page, () => makeExactNow(page));
+export const makeExact = (page: Page): Outcome => enqueue(page, () => makeExactNow(page));

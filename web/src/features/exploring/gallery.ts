@@ -6,6 +6,7 @@ import { signal } from "@preact/signals";
 import type { Design } from "../../design/design.ts";
 import * as steps from "../../design/history.ts";
 import type { Shape, ShapeReport } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { client, runUnseen } from "../../state/connection.ts";
 import { damageWords } from "../../state/damage.ts";
 import { goToTab } from "../../state/inspector.ts";
@@ -13,7 +14,6 @@ import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
 import { keepSnapshot } from "../../state/snapshots.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 import { countTypes, type TypeCount } from "../../state/type-counts.ts";
 import { ensureDirections, explore } from "./exploring.ts";
 import { furthestBetween, reachOf } from "./furthest.ts";
@@ -126,7 +126,7 @@ export async function fillGallery(page: Page): Promise<void> {
   gallery(page).value = { centre, items: [], planned: planned.length, alike: 0 };
   for (const [k, x] of planned.entries()) {
     let going = false;
-    await inTurn(page, async () => {
+    await enqueue(page, async () => {
       const design = page.history.value?.present;
       if (!design || !current(page, centre) || gallery(page).value?.centre !== centre) return;
       const there = await ensureDirections(page, design);
@@ -194,7 +194,7 @@ function designOf(page: Page, { coefficients, shape, report }: GalleryItem): Des
 
 /** Makes one of the gallery the design, as one step of the history. */
 export const adopt = (page: Page, item: GalleryItem): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const next = designOf(page, item);
     if (!page.history.value || !next || page.history.value.present.shape === item.shape) return;
     page.notice.value = null;
@@ -203,7 +203,7 @@ export const adopt = (page: Page, item: GalleryItem): Outcome =>
 
 /** Keeps one of the gallery as a snapshot; the design stays. */
 export const keep = (page: Page, item: GalleryItem): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const design = designOf(page, item);
     if (design) keepSnapshot(page, design);
   });

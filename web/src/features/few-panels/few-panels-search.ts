@@ -7,11 +7,11 @@ import { type Design, type HandleRow, toTargets } from "../../design/design.ts";
 import * as steps from "../../design/history.ts";
 import type { OpenedMesh, Shape } from "../../solver/protocol.ts";
 import { type Ask, GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { basePoint, longestWay } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { showOnly, showStep } from "../../state/showing.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 import { type CurvePoint, cutAgain, type Way, WITHIN_HANDLE, waysOf } from "./edit-curve.ts";
 
 const BUDGET = 0; // of frames alone
@@ -215,7 +215,7 @@ class CurveSearch {
 
 /** Makes a point of the curve the design, as one step of the history; keys one after the other are one. */
 export const take = (page: Page, { design }: CurvePoint, burst: string | null = null): Outcome =>
-  inTurn(
+  enqueue(
     page,
     async () => {
       const { value } = page.history;

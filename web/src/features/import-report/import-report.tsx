@@ -158,7 +158,7 @@ function UpChooser() {
         <select
           class="select"
           value={upAxis(page).value}
-          disabled={!page.ready.value || page.turnsLeft.value > 0}
+          disabled={!page.ready.value || page.queued.value > 0}
           onChange={({ currentTarget }) => {
             const up = UPS.find((axis) => axis === currentTarget.value);
             if (up) void turnUp(page, up);

@@ -2,10 +2,10 @@
 // What programs take from a mesh when they write it, given back: quads, common points, one outside.
 import { isAsOpened } from "../../design/design.ts";
 import type { Mending, MeshReport } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import { adopt } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 import { keepUp } from "./up-axis.ts";
 
 type Told = (before: MeshReport, after: MeshReport) => string;
@@ -14,7 +14,7 @@ const NO_QUADS = "No two triangles make a quad.";
 
 /** The mesh that is open, mended: one step, like another file. */
 function mend(page: Page, way: Mending, may: () => boolean, told: Told): Outcome {
-  return inTurn(page, async () => {
+  return enqueue(page, async () => {
     const { source } = page.draft.value ?? {};
     const before = page.mesh.value?.report;
     // A turn before this one may have made it flat.

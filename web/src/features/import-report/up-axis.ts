@@ -4,11 +4,11 @@ import { computed } from "@preact/signals";
 import { isAsOpened } from "../../design/design.ts";
 import { likelyUp, type UpAxis } from "../../mesh/up-axis.ts";
 import type { Source } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import { holdAlsoFor } from "../../state/kept-groups.ts";
 import { adopt } from "../../state/opening.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 const turned = kept(() => new WeakMap<Source, UpAxis>());
 
@@ -45,7 +45,7 @@ export function canTurn(page: Page): boolean {
 }
 
 export const turnUp = (page: Page, to: UpAxis): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const { source } = page.draft.value ?? {};
     const warnings = page.mesh.value?.report.warnings ?? [];
     // A turn before this one may have made it flat.

@@ -20,8 +20,8 @@ import type { Drawn } from "../../scene/drawing-follower.ts";
 import { placed } from "../../scene/placing.ts";
 import type { Stage } from "../../scene/stage.ts";
 import type { OpenedMesh } from "../../solver/protocol.ts";
+import type { Outcome } from "../../state/action-queue.ts";
 import type { Page } from "../../state/page.ts";
-import type { Outcome } from "../../state/turns.ts";
 import { KeepOutArrows } from "./keep-out-arrows.ts";
 
 export interface Surroundings {

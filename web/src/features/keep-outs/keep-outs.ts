@@ -18,10 +18,10 @@ import { extentOf } from "../../mesh/extent.ts";
 import { niceStep } from "../../quantity/units.ts";
 import { refuse } from "../../result/result.ts";
 import { FILE_FORMATS, namesOfFormats } from "../../solver/file-formats.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import { commitSettings, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 const textsOf = (page: Page): readonly string[] => (page.settings.value ?? FIRST_SETTINGS).keepOuts;
 
@@ -72,7 +72,7 @@ export async function addModel(page: Page, file: File): Outcome {
   const { name } = file;
   const format = FILE_FORMATS.find((f) => name.toLowerCase().endsWith(`.${f}`));
   const question = format && ({ kind: "readModel", file, name, format } as const);
-  const read = await inTurn(page, async () =>
+  const read = await enqueue(page, async () =>
     question
       ? run(page, `reading ${name}`, question, "readModel")
       : refuse(`${name} cannot be read. Use an ${namesOfFormats()} file.`),
@@ -80,7 +80,7 @@ export async function addModel(page: Page, file: File): Outcome {
   if (!read?.ok) return read;
   const one = keepOutOf(read.value.model);
   const problem = problemOf(one);
-  if (problem) return inTurn(page, async () => refuse(`${name}: ${problem}`));
+  if (problem) return enqueue(page, async () => refuse(`${name}: ${problem}`));
   return commitAll(page, [...keepOuts(page).value, one]);
 }
 
@@ -88,7 +88,7 @@ export async function addModel(page: Page, file: File): Outcome {
 export function addContext(page: Page): Outcome {
   const one = keepOutOfTriangles(page.context.value?.triangles ?? new Float64Array());
   const problem = problemOf(one);
-  if (problem) return inTurn(page, async () => refuse(problem));
+  if (problem) return enqueue(page, async () => refuse(problem));
   return commitAll(page, [...keepOuts(page).value, one]);
 }
 

@@ -6,11 +6,11 @@ import type { MobilityNews, MobilityOrder, MobilityRow } from "../../solver/mobi
 import workerUrl from "../../solver/mobility-worker.ts?worker&url";
 import type { EditSettings } from "../../solver/protocol.ts";
 import { reachable } from "../../solver/reachable.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { basePoint, commitEdit } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
 import type { Mobility } from "../../state/page-state.ts";
 import { selectOnly } from "../../state/selection.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 export type { MobilityRow };
 
@@ -90,7 +90,7 @@ export function stopMobility(page: Page): void {
 
 /** A place as an edit of its own: what the row says was found for exactly this point and way. */
 export const openPlace = (page: Page, { vertex, direction, distance }: MobilityRow): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const design = page.draft.value;
     if (!design) return;
     const from = basePoint(page, vertex);

@@ -5,10 +5,10 @@ import { FLAT } from "../../design/flatness.ts";
 import { formatLength } from "../../quantity/units.ts";
 import { refuse } from "../../result/result.ts";
 import type { MeshOffset, OffsetKind } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import type { Page } from "../../state/page.ts";
 import type { OffsetChoice } from "../../state/page-state.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 /** What the page has for what the core's sentences name by its commands. */
 const WAYS: readonly (readonly [RegExp, string])[] = [
@@ -55,7 +55,7 @@ export function offsetWords(page: Page, layer: MeshOffset, distance: number): st
 
 /** Asks for the layer of the design shown, once all that was asked for before is done. */
 export const layOut = (page: Page, choice: OffsetChoice): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const { distance, form } = choice;
     const answer = await run(page, "offsetting", { kind: "offset", distance, form }, "offset");
     if (!answer.ok) return answer;

@@ -5,9 +5,9 @@ import { unpackLink } from "../../design/link.ts";
 import type { Steps } from "../../design/recipe.ts";
 import { decodeLink, PREFIX } from "../../design/v1/link.ts";
 import { done, type Result, refuse } from "../../result/result.ts";
+import { enqueue } from "../../state/action-queue.ts";
 import { readText } from "../../state/design-text.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn } from "../../state/turns.ts";
 
 const NOT_READ = refuse("The link was not read.");
 
@@ -25,7 +25,7 @@ export async function readLink(page: Page, hash: string): Promise<Result<Steps>>
   const text = await unpackLink(hash);
   if (!text.ok) return text;
   let read: Result<Steps> = NOT_READ;
-  await inTurn(page, async () => {
+  await enqueue(page, async () => {
     read = await readDesign(page, text.value);
     return undefined;
   });

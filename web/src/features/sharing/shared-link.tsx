@@ -6,11 +6,11 @@ import { EVERYTHING, snapshotsToSend, type Taken } from "../../export/companions
 import { designLink } from "../../export/design-link.ts";
 import { exportDesign } from "../../export/exporting.ts";
 import { counted } from "../../quantity/counted.ts";
+import { enqueue } from "../../state/action-queue.ts";
 import { readCamera } from "../../state/camera.ts";
 import { groups } from "../../state/groups.ts";
 import { note } from "../../state/note.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn } from "../../state/turns.ts";
 import { usePage } from "../../ui/page-context.ts";
 
 /** Mail programs and chats start to cut links about here. */
@@ -36,7 +36,7 @@ function advice({ link, copied }: Shared): string {
 /** Makes the link of the design, once all that was asked for is done, and copies it, where the
  * browser lets it. */
 export async function share(page: Page, taken = EVERYTHING): Promise<Shared | null> {
-  const link = await inTurn(page, () => designLink(page, readCamera(page), taken));
+  const link = await enqueue(page, () => designLink(page, readCamera(page), taken));
   return link?.ok ? { ...(await copy(link.value)), taken } : null;
 }
 

@@ -13,9 +13,9 @@ import type {
   LinkCode,
   ShopOrder,
 } from "../../solver/protocol.ts";
+import { enqueue } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn } from "../../state/turns.ts";
 
 /** Which panels are drawn. */
 export type Scope = "all" | "remake" | "selected";
@@ -65,7 +65,7 @@ async function make(
   type: string,
   ending: string,
 ): Promise<Header | null> {
-  const made = await inTurn(page, async () => {
+  const made = await enqueue(page, async () => {
     const answer = await run(page, doing, { kind: "shop", order: await order() }, "made");
     if (answer.ok) save(page, new Blob([answer.value.file], { type }), ending);
     return answer;

@@ -6,11 +6,16 @@ import { type Design, type HandleRow, leftBehind, toTargets } from "../../design
 import { extentOf } from "../../mesh/extent.ts";
 import { add, minus } from "../../mesh/vector.ts";
 import type { EditSettings, PullLimit } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { basePoint, commitEdit, longestWay, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
+import {
+  growthOf,
+  lastRefusedPull,
+  type RefusedPull,
+  refusedPull,
+} from "../../state/refused-pull.ts";
 import { showStep } from "../../state/showing.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
-import { beyond, growthOf, type Wanted, wanted } from "../../state/wanted.ts";
 import {
   gotWords,
   isLess,
@@ -26,7 +31,7 @@ import {
 export interface Stopped {
   readonly stop: Stop;
   readonly reason: Reason;
-  /** As in Wanted. */
+  /** As in RefusedPull. */
   readonly growth: number | null;
   readonly sought: Sought;
 }
@@ -42,7 +47,7 @@ export function stopIn(page: Page, design: Design, rows: readonly HandleRow[]): 
 }
 
 /** Frames go the shortest way: where a limit held them back, an edit may get further within it. */
-function soughtBy(pull: Wanted | null, reason: Reason): Sought {
+function soughtBy(pull: RefusedPull | null, reason: Reason): Sought {
   if (!pull) return "given";
   const limited = reason === "fold" || reason === "limits" || reason === "unknown";
   return pull.dragged && limited ? "dragged" : "searched";
@@ -53,7 +58,7 @@ export const stopped = kept((page) =>
   computed((): Stopped | null => {
     const design = page.history.value?.present;
     if (!design || !page.mesh.value || leftBehind(design)) return null;
-    const pull = beyond(page).value?.design === design ? beyond(page).value : null;
+    const pull = refusedPull(page).value?.design === design ? refusedPull(page).value : null;
     const stop = stopIn(page, design, pull?.handles ?? design.handles);
     const growth = pull?.growth ?? null;
     const reason = reasonOf(design, pull !== null, growth);
@@ -117,9 +122,9 @@ export interface Asked {
   readonly handles: readonly HandleRow[];
 }
 
-/** The edit that a way on makes of `design`, whose pull is held back by `growth` as in Wanted. */
+/** The edit that a way on makes of `design`, whose pull is held back by `growth` as in RefusedPull. */
 export function askedBy(page: Page, design: Design, way: WayOn, growth: number | null): Asked {
-  const handles = beyond(page).value?.handles ?? design.handles;
+  const handles = refusedPull(page).value?.handles ?? design.handles;
   const next = { ...design, handles, settings: settingsOn(design, way, growth), variation: null };
   if (way.growth === null) return { next, limit: null, handles };
   const pulled = pulledOf(page, design, handles);
@@ -137,7 +142,7 @@ const noFurther = (page: Page, { label }: WayOn, stop: Stop): string =>
 /** Tries the targets again; what that gives is said, also where it is no more than before. Where it is less,
  * the design stays as it was. */
 export const goOn = (page: Page, way: WayOn): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const [history, before] = [page.history.value, stopped(page).value];
     if (!history || !before) return;
     const { next, limit, handles } = askedBy(page, history.present, way, before.growth);
@@ -152,7 +157,9 @@ export const goOn = (page: Page, way: WayOn): Outcome =>
     }
     const takenBack = done.handles !== handles;
     const growth = limit && growthOf(limit.degrees);
-    wanted(page).value = takenBack ? { handles, growth, dragged: false, design: done } : null;
+    lastRefusedPull(page).value = takenBack
+      ? { handles, growth, dragged: false, design: done }
+      : null;
     if (stop && isNoFurther(stop.got, before.stop)) page.notice.value = noFurther(page, way, stop);
     return made;
   });

@@ -8,12 +8,12 @@ import { facesAt } from "../../mesh/reach.ts";
 import { counted } from "../../quantity/counted.ts";
 import type { SplitStanding } from "../../solver/protocol.ts";
 import { GivenUp, type News, SecondSolver } from "../../solver/second-solver.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { baseOf, openKnownQuestion } from "../../state/connection.ts";
 import { commitEdit, shownPoint } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
+import { lastRefusedPull, refusedPull } from "../../state/refused-pull.ts";
 import { openBase, restorePresent } from "../../state/showing.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
-import { beyond, wanted } from "../../state/wanted.ts";
 
 /** Lines through panels at most. */
 const MOST = 4;
@@ -83,7 +83,7 @@ export function searchNow(page: Page): Search | null {
 /** What is looked for: the targets that were asked for, within the limits of the design. */
 function asked(page: Page, design: Design): Design {
   const settings = { ...design.settings, continuation: 0 };
-  return { ...design, handles: beyond(page).value?.handles ?? design.handles, settings };
+  return { ...design, handles: refusedPull(page).value?.handles ?? design.handles, settings };
 }
 
 /** Whether lines can be looked for: the paper's engine knows none. */
@@ -143,14 +143,14 @@ export async function search(page: Page): Promise<void> {
 
 /** The cuts become the design's, and the edit is solved on what they leave, as one step. */
 export const takeSplits = (page: Page, { asked }: { asked: Design }, by: SplitStanding): Outcome =>
-  inTurn(page, async () => {
+  enqueue(page, async () => {
     const { settings } = asked;
     const next = { ...asked, settings: { ...settings, cuts: [...settings.cuts, ...by.cuts] } };
     const based = await openBase(page, next);
     if (!based.ok) return restorePresent(page, based);
     const made = await commitEdit(page, { ...based.value, handles: asked.handles }, "solve");
     if (!made?.ok) return made;
-    wanted(page).value = null;
+    lastRefusedPull(page).value = null;
     if (by.cuts.length === 0) return made;
     const lines = counted(by.lines, "line");
     page.notice.value = `Split by ${lines} between corners; the edit was solved again on that mesh. Undo takes both back.`;

@@ -64,7 +64,7 @@ export function stopOf(
   return worst;
 }
 
-/** `held`: a pull of the design was held back; `growth` as in Wanted. A limit is named where panels are at it. */
+/** `held`: a pull of the design was held back; `growth` as in RefusedPull. A limit is named where panels are at it. */
 export function reasonOf(
   { report, settings }: Design,
   held: boolean,
@@ -88,7 +88,7 @@ export function gotWords({ got, asked }: Stop, unit: Unit): string {
   return `${all.endsWith(first.slice(space)) ? first.slice(0, space) : first} of ${all}`;
 }
 
-/** What stops it, in a sentence; `growth` as in Wanted. */
+/** What stops it, in a sentence; `growth` as in RefusedPull. */
 export function reasonWords(
   reason: Reason,
   growth: number | null,

@@ -4,9 +4,9 @@ import { effect } from "@preact/signals";
 import { FIRST_SETTINGS } from "../../design/design.ts";
 import { formsByPoint, POLYLINE, withPoints } from "../../design/listed-supports.ts";
 import { polylineOf } from "../../mesh/polyline.ts";
+import type { Outcome } from "../../state/action-queue.ts";
 import { commitSettings } from "../../state/editing.ts";
 import type { Page } from "../../state/page.ts";
-import type { Outcome } from "../../state/turns.ts";
 
 const supportsOf = (page: Page): readonly string[] =>
   (page.settings.value ?? FIRST_SETTINGS).supports;

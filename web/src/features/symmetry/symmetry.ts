@@ -5,9 +5,9 @@ import { computed } from "@preact/signals";
 import { FIRST_SETTINGS } from "../../design/design.ts";
 import { type Mirrors, mirrorsIn, mirrorsText } from "../../design/symmetry.ts";
 import { refuse } from "../../result/result.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { commitSettings } from "../../state/editing.ts";
 import { kept, type Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 const MOST_FOLDS = 360;
 
@@ -29,7 +29,7 @@ export const mostImages = kept((page) =>
 export function setMirrors(page: Page, to: Mirrors): Outcome {
   const wrong = to.turns.some((n) => n !== 0 && !(Number.isInteger(n) && n > 1 && n <= MOST_FOLDS));
   if (wrong)
-    return inTurn(page, async () =>
+    return enqueue(page, async () =>
       refuse(`Turns must be a whole number from 2 to ${MOST_FOLDS}.`),
     );
   return commitSettings(page, { symmetry: mirrorsText(to) });

@@ -3,8 +3,8 @@
 
 import type { Place } from "../../scene/picking.ts";
 import type { Sight } from "../../scene/sight.ts";
+import type { Outcome } from "../../state/action-queue.ts";
 import { fetchPart } from "../../state/later.ts";
-import type { Outcome } from "../../state/turns.ts";
 import type { FingerHelp } from "./finger-help.ts";
 
 export class FingerFollower {

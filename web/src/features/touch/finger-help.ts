@@ -4,13 +4,13 @@
 
 import { type Place, project } from "../../scene/picking.ts";
 import type { Sight } from "../../scene/sight.ts";
+import type { Outcome } from "../../state/action-queue.ts";
 import {
   type FingerDrag,
   fingerDrag,
   offerPlace,
   offerToTakeBack,
 } from "../../state/finger-drag.ts";
-import type { Outcome } from "../../state/turns.ts";
 import { clearOfPoint, OFFER, type Size } from "./clear-of-point.ts";
 import { Loupe } from "./loupe.ts";
 

@@ -5,10 +5,10 @@ import { type Design, sourceName } from "../../design/design.ts";
 import { counted } from "../../quantity/counted.ts";
 import { formatLength } from "../../quantity/units.ts";
 import type { AlikeMesh } from "../../solver/protocol.ts";
+import { enqueue, type Outcome } from "../../state/action-queue.ts";
 import { run } from "../../state/connection.ts";
 import { adopt, readMade } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
-import { inTurn, type Outcome } from "../../state/turns.ts";
 
 /** What may change so that more panels are alike. */
 export interface AlikeChoice {
@@ -43,7 +43,7 @@ function noFewerWords(page: Page, { before, within, reached }: AlikeMesh, most: 
 }
 
 export const makeAlike = (page: Page, choice: AlikeChoice): Outcome =>
-  inTurn<unknown>(page, async () => {
+  enqueue<unknown>(page, async () => {
     const design = page.draft.value;
     if (!design) return;
     const asked = askedOf(page, design, choice);

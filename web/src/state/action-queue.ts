@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Actions that change the design take turns: each starts from what the one before it left.
+// Actions that change the design stand in a queue: each starts from what the one before it left.
 import type { Result } from "../result/result.ts";
 import { kept, type Page } from "./page.ts";
 import { report } from "./telling.ts";
 
-/** What comes of an action in its turn; undefined: nothing that changes what was said before. */
+/** What comes of a queued action; undefined: nothing that changes what was said before. */
 export type Outcome<T = unknown> = Promise<Result<T> | undefined>;
 
-interface Turn {
+interface Queued {
   readonly burst: string | null;
   begun: boolean;
   overtaken: boolean;
@@ -15,7 +15,7 @@ interface Turn {
 
 interface Own {
   last: Promise<void>;
-  newest: Turn | null;
+  newest: Queued | null;
   /** Counts how often what waited was dropped. */
   era: number;
 }
@@ -28,7 +28,7 @@ const own = kept((): Own => ({ last: Promise.resolve(), newest: null, era: 0 }))
  * What comes of it is reported to whoever asked, here and nowhere else.
  * @returns undefined if it was dropped
  */
-export function inTurn<T>(
+export function enqueue<T>(
   page: Page,
   action: () => Outcome<T>,
   burst: string | null = null,
@@ -36,10 +36,10 @@ export function inTurn<T>(
   const turns = own(page);
   const mine = turns.era;
   const { newest } = turns;
-  const turn: Turn = { burst, begun: false, overtaken: false };
+  const turn: Queued = { burst, begun: false, overtaken: false };
   if (newest && burst !== null && newest.burst === burst && !newest.begun) newest.overtaken = true;
   turns.newest = turn;
-  page.turnsLeft.value += 1;
+  page.queued.value += 1;
   const done = turns.last.then(async () => {
     turn.begun = true;
     const result = mine === turns.era && !turn.overtaken ? await action() : undefined;
@@ -49,15 +49,15 @@ export function inTurn<T>(
   turns.last = done
     .catch(() => undefined)
     .then(() => {
-      if (mine === turns.era) page.turnsLeft.value -= 1;
+      if (mine === turns.era) page.queued.value -= 1;
     });
   return done;
 }
 
 /** Forgets the actions that have not started. */
-export function dropTurns(page: Page): void {
+export function dropQueued(page: Page): void {
   own(page).era += 1;
-  page.turnsLeft.value = 0;
+  page.queued.value = 0;
 }
 
 /** Holds back the actions that are still to come until `done`; itself it is none. */

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Where handles were pulled to beyond what a limit let through: the design keeps where they stopped.
+// A pull further than a limit let through: the design keeps where its handles stopped.
 
 import { computed, signal } from "@preact/signals";
 import type { Design, HandleRow } from "../design/design.ts";
 import { kept } from "./page.ts";
 
-export interface Wanted {
+export interface RefusedPull {
   /** With the targets that were asked for. */
   readonly handles: readonly HandleRow[];
   /** Degrees by which folds might grow, by the drag's own limit; null: only stated limits act. */
@@ -16,17 +16,17 @@ export interface Wanted {
   readonly design: Design | null;
 }
 
-/** Wanted's growth by a pull's limit, which is infinite where only stated limits act. */
+/** RefusedPull's growth by a pull's limit, which is infinite where only stated limits act. */
 export const growthOf = (degrees: number): number | null =>
   degrees < Number.POSITIVE_INFINITY ? degrees : null;
 
-/** The last pull that was held back; whether it still belongs to what is shown, see `beyond`. */
-export const wanted = kept(() => signal<Wanted | null>(null));
+/** The last pull that was held back; whether it still belongs to what is shown, see `refusedPull`. */
+export const lastRefusedPull = kept(() => signal<RefusedPull | null>(null));
 
-/** What is wanted of the pull that goes on, or of the design that the last one ended as. */
-export const beyond = kept((page) =>
-  computed((): Wanted | null => {
-    const pull = wanted(page).value;
+/** The refused pull that goes on, or that the present design ended as. */
+export const refusedPull = kept((page) =>
+  computed((): RefusedPull | null => {
+    const pull = lastRefusedPull(page).value;
     if (!pull) return null;
     const present = page.history.value?.present;
     const belongs = pull.design === null ? page.draft.value !== present : pull.design === present;

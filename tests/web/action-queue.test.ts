@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { dropTurns, holdTurns, inTurn } from "../../web/src/state/turns.ts";
+import { dropQueued, enqueue, holdTurns } from "../../web/src/state/action-queue.ts";
 import { pageAlone } from "./support/page-here.ts";
 
 /** What was done, in order, of `asked`: a name, with its burst after a slash. */
@@ -9,7 +9,7 @@ async function doneOf(asked: readonly string[]): Promise<string[]> {
   const done: string[] = [];
   const turns = asked.map((name) => {
     const burst = name.includes("/") ? name.replace(/.*\//, "") : null;
-    return inTurn(
+    return enqueue(
       page,
       async () => {
         await Promise.resolve();
@@ -34,7 +34,7 @@ it("of a burst that waits does the last, and never passes another action", async
 it("what has begun is not overtaken", async () => {
   const page = pageAlone();
   const done: number[] = [];
-  const first = inTurn(
+  const first = enqueue(
     page,
     async () => {
       done.push(1);
@@ -44,15 +44,15 @@ it("what has begun is not overtaken", async () => {
   );
   const inTurnLater = Promise.resolve().then(() => Promise.resolve());
   await inTurnLater;
-  await Promise.all([first, inTurn(page, async () => void done.push(2), "x")]);
+  await Promise.all([first, enqueue(page, async () => void done.push(2), "x")]);
   expect(done).toEqual([1, 2]);
 });
 
 it("forgets what has not begun", async () => {
   const page = pageAlone();
   const done: number[] = [];
-  const turn = inTurn(page, async () => void done.push(1));
-  dropTurns(page);
+  const turn = enqueue(page, async () => void done.push(1));
+  dropQueued(page);
   await turn;
   expect(done).toEqual([]);
 });
@@ -60,19 +60,19 @@ it("forgets what has not begun", async () => {
 it("counts what runs or waits, but not what was dropped", async () => {
   const page = pageAlone();
   let finish = (): void => {};
-  const first = inTurn(page, () => new Promise((resolve) => (finish = () => resolve(undefined))));
-  const second = inTurn(page, async () => {});
-  expect(page.turnsLeft.value).toBe(2);
+  const first = enqueue(page, () => new Promise((resolve) => (finish = () => resolve(undefined))));
+  const second = enqueue(page, async () => {});
+  expect(page.queued.value).toBe(2);
   await Promise.resolve();
-  dropTurns(page);
-  expect(page.turnsLeft.value).toBe(0);
-  const third = inTurn(page, async () => {});
-  expect(page.turnsLeft.value).toBe(1);
+  dropQueued(page);
+  expect(page.queued.value).toBe(0);
+  const third = enqueue(page, async () => {});
+  expect(page.queued.value).toBe(1);
   finish();
   await Promise.all([first, second, third]);
   await Promise.resolve();
   await Promise.resolve();
-  expect(page.turnsLeft.value).toBe(0);
+  expect(page.queued.value).toBe(0);
 });
 
 it("actions wait for what holds them back, which counts for none and may fail", async () => {
@@ -80,8 +80,8 @@ it("actions wait for what holds them back, which counts for none and may fail", 
   const done: string[] = [];
   let fail = (_reason: Error): void => {};
   holdTurns(page, new Promise((_, reject) => (fail = reject)));
-  expect(page.turnsLeft.value).toBe(0);
-  const turn = inTurn(page, async () => void done.push("turn"));
+  expect(page.queued.value).toBe(0);
+  const turn = enqueue(page, async () => void done.push("turn"));
   await new Promise((resolve) => setTimeout(resolve));
   expect(done).toEqual([]);
   fail(new Error("the solver died"));
