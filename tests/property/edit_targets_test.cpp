@@ -119,6 +119,51 @@ TEST(FarTargets, GetAtLeastHalfAsFarAsTheBestNearerOne) {
   }
 }
 
+/// Nearer targets are no answer where the way in parts gets to those that were asked for.
+TEST(FarTargets, AreMetWherePartsArrive) {
+  struct Case {
+    const char* sample;
+    int size, vertex;
+    double lift;
+    HandleEditOptions options;
+  };
+  const std::vector<Case> cases{{"hex", 6, 30, 8.0, {}},
+                                {"vault", 9, 40, 3.0, {.reach = 2}},
+                                {"freeform", 9, 40, 40.0, {}},
+                                {"dome", 9, 40, 3.0, {.hard_handles = true}}};
+  for (const Case& one : cases) {
+    const Mesh mesh = testing::sample(one.sample, one.size);
+    const EditTargets targets = testing::pull(mesh, one.vertex, {0, 0, one.lift});
+    const HandleEditResult result = solve_handle_edit(mesh, targets, one.options);
+    expect_exact(mesh, result);
+    EXPECT_LT(result.report.handle_error, 0.05 * one.lift) << one.sample;
+  }
+}
+
+/// Whoever stops a search is not asked again, and is told that it was stopped.
+TEST(FarTargets, CanBeCancelledAtEveryStep) {
+  const Mesh mesh = testing::sample("freeform", 9);
+  const EditTargets targets = testing::pull(mesh, 40, {0, 0, 400.0});
+  const HandleEditOptions options{.reach = 3, .softness = 4.0};
+  int steps = 0;
+  const auto count = [&](const IterationRecord&) {
+    ++steps;
+    return Flow::kContinue;
+  };
+  HandleEditSolver solver(mesh, options);
+  EXPECT_EQ(solver.solve(targets, count).report.status, SolveStatus::kInfeasibleHandles);
+  ASSERT_GT(steps, 100);
+  for (int stop = 1; stop <= steps; stop += testing::by_night(7, 61)) {
+    int calls = 0;
+    const HandleEditResult result = solver.solve(targets, [&](const IterationRecord&) {
+      return ++calls < stop ? Flow::kContinue : Flow::kStop;
+    });
+    EXPECT_EQ(calls, stop);
+    EXPECT_EQ(result.report.status, SolveStatus::kCancelled) << stop << " of " << steps;
+    expect_exact(mesh, result);
+  }
+}
+
 /// Hard targets that no flat design meets: three corners stay, the fourth is lifted.
 TEST_P(EditOn, ImpossibleHardHandlesAreReported) {
   const Adjacency adjacency = build_adjacency(mesh);

@@ -47,12 +47,12 @@ EngineOutcome EditSearch::follow(bool fresh, DisplacementField& field, const Pro
   return newton_.run_warm(model_.problem(), options, field, progress);
 }
 
-/// Targets at a share of the way from the base to those given.
-EditTargets EditSearch::part_of(const EditTargets& targets, double share) const {
+/// Targets at a part of the way from the base to those given.
+EditTargets EditSearch::part_of(const EditTargets& targets, double part) const {
   EditTargets now = targets;
   for (Handle& handle : now.handles) {
     const Eigen::Vector3d base = model_.mesh_model().mesh.positions.col(handle.vertex);
-    if (share < 1.0) handle.target = base + share * (handle.target - base);
+    if (part < 1.0) handle.target = base + part * (handle.target - base);
   }
   return now;
 }
@@ -66,12 +66,12 @@ EngineOutcome EditSearch::continue_from_base(const NewtonOptions& options,
   bool fresh = true;
   for (int step = 1; step <= targets.continuation; ++step) {
     model_.pose(part_of(targets, static_cast<double>(step) / targets.continuation),
-                model_.options());
+                posed_options());
     go_on(follow(fresh, field_, progress), total);
     if (total.status == SolveStatus::kCancelled) break;
     fresh = total.status == SolveStatus::kSingularSystem || !model_.is_acceptable(design());
   }
-  model_.pose(targets, model_.options());
+  model_.pose(targets, posed_options());
   if (total.status == SolveStatus::kCancelled) return total;
   NewtonOptions last = options;
   last.first_smoothing = 1e-3;

@@ -2,6 +2,7 @@
 /// The way in parts: for targets that a jump does not reach.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "edit/edit_search.hpp"
@@ -95,7 +96,7 @@ ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& re
 }
 
 /// What stands for targets that no flat design was found for: handles that may stay short of them,
-/// approached in parts. The base mesh is the last resort, and always valid.
+/// approached in parts, then pulled less far. The base mesh is the last resort, and always valid.
 ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report) {
   EditProblem& problem = model_.problem();
   std::vector<int> hard;
@@ -109,13 +110,8 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
   }
   softens_handles_ = true;
   for (const int v : hard) problem.terms[at(v)].fixed = false;
-  ExactDesign design = EditModel::unmoved();
-  report.status = SolveStatus::kInfeasibleHandles;
-  // Where Newton's method failed, its parts arrive no more often than nearer targets are met.
-  if (model_.options().engine == Engine::kNewton) find_nearer(progress, design, report);
-  if (design.vertices.empty() && report.status != SolveStatus::kCancelled) {
-    design = solve_in_parts(progress, report);
-  }
+  ExactDesign design = solve_in_parts(progress, report);
+  if (stops_short(kFarShort, design, report)) find_nearer(progress, design, report);
   for (const int v : hard) problem.terms[at(v)].fixed = true;
   softens_handles_ = false;
   if (softened && report.status != SolveStatus::kCancelled) {
@@ -124,54 +120,92 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
   return design;
 }
 
-/// A jump may end against the barrier, far from the targets and from any minimum.
-bool EditSearch::stops_short(const ExactDesign& design, const SolveReport& report) const {
-  constexpr double kFar = 0.25;  // of the move
+/// Whether handles stop short by more than a share of their way, without a certificate: a jump may
+/// end against the barrier, far from the targets and from any minimum.
+bool EditSearch::stops_short(double share, const ExactDesign& design,
+                             const SolveReport& report) const {
   const bool certified = report.optimality && report.optimality->met();
   if (certified || report.status == SolveStatus::kCancelled) return false;
-  return model_.handle_distance(design) > kFar * handle_scale(model_.problem());
+  return model_.handle_distance(design) > share * handle_scale(model_.problem());
+}
+
+/// The way in parts, where it ends lower, or at the same place with a certificate.
+void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report) {
+  SolveReport other;
+  ExactDesign nearer = solve_in_parts(progress, other);
+  other.cost += report.cost;
+  other.records = std::move(report.records);
+  constexpr double kSame = 1e-6;  // of the objective
+  const double found = model_.objective(design).total();
+  const bool certified = other.optimality && other.optimality->met();
+  if (model_.objective(nearer).total() < (certified ? 1.0 + kSame : 1.0) * found) {
+    design = std::move(nearer);
+  } else {
+    other.status = report.status;
+    other.optimality = report.optimality;
+  }
+  report = std::move(other);
+}
+
+/// An edit whose targets are at a part of the way; the targets that were asked for stand after it.
+EditSearch::Pull EditSearch::pull(double part, const Progress& progress) {
+  constexpr double kFollowed = 0.15;  // of the pull: handles that are so near have followed it
+  const EditTargets asked = model_.targets();
+  model_.set_targets(part_of(asked, part));
+  model_.pose(model_.targets(), posed_options());
+  model_.active_set().reset();
+  Pull pull;
+  pull.part = part;
+  pull.design = solve_newton(progress, pull.report);
+  const bool acceptable = model_.is_acceptable(pull.design);
+  pull.follows = acceptable &&
+                 model_.handle_distance(pull.design) <= kFollowed * handle_scale(model_.problem());
+  model_.set_targets(asked);
+  model_.pose(asked, posed_options());
+  pull.left =
+      acceptable ? model_.handle_distance(pull.design) : std::numeric_limits<double>::infinity();
+  return pull;
 }
 
 /// Nearer targets, in place of those that a search got nowhere with: the design that gets nearest
-/// to those that were asked for. [PTH-2]
+/// to those that were asked for. The engine ends where it is. [PTH-2]
 void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report) {
   constexpr double kFirst = 0.65;       // of the way: the first pull
-  constexpr double kBack = 0.4;         // of a pull that its handles do not follow: the next
-  constexpr double kFollowed = 0.15;    // of a pull: handles that are so near have followed it
   constexpr double kFirstEdges = 16.0;  // it is no longer
+  constexpr double kBack = 0.4;         // of a pull that its handles do not follow: the next
   constexpr double kFine = 1.25;        // the ratio of two pulls: nothing is looked for between
   constexpr int kMostPulls = 4;
-  const EditTargets asked = model_.targets();
-  const double way = handle_scale(model_.problem());
+  constexpr int kMostFactorizations = 1000;
+  if (model_.options().engine != Engine::kNewton || model_.options().max_iterations > 0) return;
+  const int most = report.cost.factorizations + kMostFactorizations;
   double nearest = model_.handle_distance(design);
   double low = 0.0;
   double high = 1.0;
-  double share = std::min(kFirst, kFirstEdges / way);
-  bool stuck = false;
-  for (int k = 0;
-       k < kMostPulls && high > kFine * low && !stuck && report.status != SolveStatus::kCancelled;
-       ++k) {
-    model_.set_targets(part_of(asked, share));
-    model_.pose(model_.targets(), posed_options());
-    model_.active_set().reset();
-    SolveReport pull;
-    ExactDesign next = solve_newton(progress, pull);
-    report.cost += pull.cost;
-    const bool acceptable = model_.is_acceptable(next);
-    const bool follows = acceptable && model_.handle_distance(next) <= kFollowed * share * way;
+  double best = 0.0;
+  double last = 0.0;
+  double part = std::min(kFirst, kFirstEdges / handle_scale(model_.problem()));
+  const auto take = [&](Pull next) {
+    report.cost += next.report.cost;
+    if (next.report.status == SolveStatus::kCancelled) report.status = SolveStatus::kCancelled;
+    if (next.left > nearest) return;
+    nearest = next.left;
+    best = next.part;
+    design = std::move(next.design);
+  };
+  for (int k = 0; k < kMostPulls && high > kFine * low && report.cost.factorizations < most; ++k) {
+    Pull next = pull(part, progress);
+    (next.follows ? low : high) = last = part;
+    part = low > 0.0 ? std::sqrt(low * high) : kBack * part;
     // Where a certified design leaves its handles behind, those of a shorter pull stay, too.
-    stuck = !follows && pull.status == SolveStatus::kConverged;
-    model_.set_targets(asked);
-    if (pull.status == SolveStatus::kCancelled) report.status = pull.status;
-    (follows ? low : high) = share;
-    share = low > 0.0 ? std::sqrt(low * high) : kBack * share;
-    const double left = model_.handle_distance(next);
-    if (!acceptable || left >= nearest) continue;
-    nearest = left;
-    design = std::move(next);
-    report.optimality.reset();
-    if (report.usable()) report.status = SolveStatus::kInfeasibleHandles;
+    const bool stuck = !next.follows && next.report.status == SolveStatus::kConverged;
+    take(std::move(next));
+    if (stuck || report.status == SolveStatus::kCancelled) break;
   }
+  if (best == 0.0) return;
+  report.optimality.reset();
+  if (report.status == SolveStatus::kCancelled) return;
+  report.status = SolveStatus::kInfeasibleHandles;
+  if (best != last) take(pull(best, progress));
 }
 
 }  // namespace planish

@@ -26,11 +26,19 @@ HandleEditOptions EditSearch::posed_options() const {
   return options;
 }
 
+bool EditSearch::is_limited() const { return !model_.options().bounds.empty(); }
+
+/// Newton's method along the softness, without stated limits, ends where parts would.
+bool EditSearch::parts_help() const {
+  const bool ends_there = follows_softness() && !is_limited();
+  return model_.is_bounded() && !(ends_there && model_.options().engine == Engine::kNewton);
+}
+
 /// What takes more ends no lower; where many stated limits act, late steps still pay.
 EditSearch::Budget EditSearch::budget() const {
   constexpr Budget kPlain{40, 60, 25, 80};
   constexpr Budget kLimited{80, 120, 60, 150};
-  return model_.options().bounds.empty() ? kPlain : kLimited;
+  return is_limited() ? kLimited : kPlain;
 }
 
 EditSearch::PartsBudget EditSearch::parts_budget() const {
@@ -38,7 +46,7 @@ EditSearch::PartsBudget EditSearch::parts_budget() const {
   constexpr PartsBudget kPlain{25, 150};
   constexpr PartsBudget kLimited{40, 300};
   if (!follows_softness()) return kAnywhere;
-  return model_.options().bounds.empty() ? kPlain : kLimited;
+  return is_limited() ? kLimited : kPlain;
 }
 
 /// Within a reach the problem is small and steep, its multipliers are large; elsewhere the engine's
@@ -68,11 +76,12 @@ ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
     if (report.status == SolveStatus::kCancelled) return EditModel::unmoved();
     return fall_back(progress, report);
   }
-  if (stops_short(design, report)) {
-    find_nearer(progress, design, report);
-  } else if (report.status == SolveStatus::kSingularSystem) {
+  if (report.status == SolveStatus::kSingularSystem) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
+  constexpr double kShort = 0.05;
+  if (parts_help() && stops_short(kShort, design, report)) try_in_parts(progress, design, report);
+  if (stops_short(kFarShort, design, report)) find_nearer(progress, design, report);
   return design;
 }
 
@@ -144,7 +153,8 @@ ExactDesign EditSearch::settle(const NewtonOptions& options, const Progress& pro
       return settled;
     }
     report.cost += settled.cost;
-    report.status = SolveStatus::kIterationLimit;
+    const bool cancelled = fine.status == SolveStatus::kCancelled;
+    report.status = cancelled ? SolveStatus::kCancelled : SolveStatus::kIterationLimit;
     go_back(found);
   }
   ExactDesign clamped = design();

@@ -49,6 +49,18 @@ class EditSearch {
     int part, all;
   };
 
+  /// An edit of nearer targets. `left`: from those that were asked for, ∞ where it is no answer.
+  struct Pull {
+    double part = 0.0;
+    ExactDesign design;
+    SolveReport report;
+    bool follows = false;
+    double left = 0.0;
+  };
+
+  /// From where on handles are so far from their targets, of their way, that nearer ones are tried.
+  static constexpr double kFarShort = 0.5;
+
   /// Where a search stands: what moves, and how.
   struct Place {
     std::vector<int> support;
@@ -56,6 +68,8 @@ class EditSearch {
   };
 
   [[nodiscard]] bool follows_softness() const;
+  [[nodiscard]] bool is_limited() const;
+  [[nodiscard]] bool parts_help() const;
   [[nodiscard]] Budget budget() const;
   [[nodiscard]] PartsBudget parts_budget() const;
   [[nodiscard]] NewtonOptions engine_options() const;
@@ -80,10 +94,13 @@ class EditSearch {
   std::optional<ExactDesign> settle_at_keep_outs(const NewtonOptions& options,
                                                  const Progress& progress, SolveReport& report);
 
-  [[nodiscard]] EditTargets part_of(const EditTargets& targets, double share) const;
+  [[nodiscard]] EditTargets part_of(const EditTargets& targets, double part) const;
 
-  // The way in parts.
-  [[nodiscard]] bool stops_short(const ExactDesign& design, const SolveReport& report) const;
+  // The way in parts, and less far.
+  [[nodiscard]] bool stops_short(double share, const ExactDesign& design,
+                                 const SolveReport& report) const;
+  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
+  Pull pull(double part, const Progress& progress);
   void find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report);
   ExactDesign advance(bool cold, const NewtonOptions& options, const Progress& progress,
                       SolveReport& report);
