@@ -31,13 +31,16 @@ inline constexpr std::array kPlainFormats = {
     MeshFormatRow{"ply", read_ply, [](const Mesh& mesh) { return write_ply(mesh); }},
 };
 
-/// GLB, then the rows of kPlainFormats. Those that code names; the table may have more.
+/// GLB, then the rows of kPlainFormats. Those that code names; the table may have more after them.
 enum class MeshFormat : std::uint8_t { kGlb, kObj, kOff, kPly };
+static_assert(kPlainFormats[0].extension == "obj" && kPlainFormats[1].extension == "off" &&
+                  kPlainFormats[2].extension == "ply",
+              "MeshFormat names rows by their place: new ones go behind");
 
-/// The format by the extension .obj, .off, .ply or .glb, in any case; nullopt for any other name.
+/// The format by its extension, in any case; nullopt for any other name.
 [[nodiscard]] std::optional<MeshFormat> format_from_name(std::string_view name);
 
-/// "obj", "off", "ply" or "glb".
+/// As MeshFormatRow::extension has it.
 [[nodiscard]] std::string_view extension_of(MeshFormat format);
 
 /// All extensions for a sentence, ".obj, .off, .ply or .glb".
@@ -46,10 +49,10 @@ enum class MeshFormat : std::uint8_t { kGlb, kObj, kOff, kPly };
                                          std::string_view between = ", ",
                                          std::string_view last = " or ");
 
-/// read_obj(), read_off(), read_ply() or read_glb().
+/// By the format's own reader.
 [[nodiscard]] ReadResult read_mesh(std::string_view bytes, MeshFormat format);
 
-/// write_obj(), write_off(), write_ply() (little-endian binary) or write_glb().
+/// By the format's own writer; PLY is little-endian binary.
 [[nodiscard]] std::string write_mesh(const Mesh& mesh, MeshFormat format);
 
 }  // namespace planish
