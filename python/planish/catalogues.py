@@ -67,7 +67,7 @@ def catalogue(
     _draw(files, out / "pictures", largest, progress)
     for row in table["designs"]:
         if row["id"] in files:
-            row |= _doors(row["id"], files[row["id"]], out, page)
+            row |= _doors(row["id"], files[row["id"]], out, page, largest)
     text = json.dumps({"title": title, "largest": largest, **table}, separators=(",", ":"))
     (out / "designs.js").write_text(f"planishCatalogue = {text};\n", encoding="utf-8")
 
@@ -146,11 +146,12 @@ def _picture(pictures: Path, name: str) -> Path:
     return pictures / f"{name}.svg"
 
 
-def _doors(name: str, design: Path, out: Path, page: str | None) -> dict[str, str | None]:
+def _doors(name: str, design: Path, out: Path, page: str | None,
+           largest: float) -> dict[str, str | None]:
     shutil.copy(design, out / "designs")
     link = None if page is None else Design.load(design).link(page)
     return {
-        "picture": f"pictures/{name}.svg" if _picture(out / "pictures", name).exists() else None,
+        "picture": f"pictures/{name}.svg" if _is_drawn(_picture(out / "pictures", name), largest) else None,
         "file": f"designs/{design.name}",
         "link": link if link is not None and len(link) <= LONGEST_LINK else None,
     }
