@@ -101,6 +101,7 @@ TEST_F(CliOptionRows, EveryRowIsReadByItsCommand) {
   for (const auto& [command, words] : commands) {
     const auto rows = rows_of(command);
     EXPECT_FALSE(rows.empty()) << command;
+    EXPECT_EQ(run(command + " " + words), 0) << command << ": no option is refused for these words";
     for (const auto& [name, has_value] : rows) {
       if (!has_value || name == "--report" || name == "--design") continue;  // any name will do
       EXPECT_EQ(run(command + " " + words + " " + name + " '?'"), 2) << command << ' ' << name;
