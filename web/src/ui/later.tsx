@@ -1,27 +1,8 @@
 // SPDX-License-Identifier: MIT
-import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
-import { fetchPart } from "../state/later.ts";
-import { kept } from "../state/page.ts";
-import { usePage } from "./page-context.ts";
+import { apart } from "./apart.tsx";
 
-/** A part of the page that comes by itself once the page can be used; nothing is there before. */
-export function later<P extends object = object>(
+/** As apart(), but in one file with the other controls, which comes by itself once the page can be used. */
+export const later = <P extends object = object>(
   load: () => Promise<ComponentType<P>>,
-): ComponentType<P> {
-  const own = kept(() => ({ part: signal<ComponentType<P> | null>(null), asked: false }));
-  return function Later(props: P) {
-    const page = usePage();
-    const mine = own(page);
-    const Part = mine.part.value;
-    if (Part) return <Part {...props} />;
-    if (page.ready.value && !mine.asked) {
-      mine.asked = true;
-      void fetchPart(page, load).then((part) => {
-        mine.part.value = part;
-        mine.asked = part !== null;
-      });
-    }
-    return null;
-  };
-}
+): ComponentType<P> => apart(load);

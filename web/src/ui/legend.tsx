@@ -13,6 +13,7 @@ import { defectEnd, foldEnd, largest } from "../state/ramp-ends.ts";
 import { Ask } from "./ask.tsx";
 import { COLOURS } from "./colours.ts";
 import { later } from "./later.tsx";
+import { ConjugacyScale } from "./net-parts.ts";
 import { usePage } from "./page-context.ts";
 
 const Histogram = later(() =>
@@ -29,10 +30,6 @@ const PlanarityScale = later(() =>
 
 const MobilityScale = later(() =>
   import("../features/mobility/mobility-scale.tsx").then((part) => part.MobilityScale),
-);
-
-const ConjugacyScale = later(() =>
-  import("../features/planarising/conjugacy-scale.tsx").then((part) => part.ConjugacyScale),
 );
 
 const RemakeScale = later(() =>

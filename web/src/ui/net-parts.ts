@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// What is said about the lines of a net: of meshes that are not flat, which few visitors open.
+import { apart } from "./apart.tsx";
+
+export const ConjugacyScale = apart(() =>
+  import("../features/planarising/conjugacy-scale.tsx").then((part) => part.ConjugacyScale),
+);
+
+export const NetNote = apart(() =>
+  import("../features/planarising/net-note.tsx").then((part) => part.NetNote),
+);
