@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
+import type { Design } from "../../web/src/design/design.ts";
 import { FAIR_FLAT, type Trial } from "../../web/src/design/planarising.ts";
 import { costWords } from "../../web/src/features/planarising/other-ways.tsx";
 import {
@@ -7,10 +8,12 @@ import {
   sharpestFold,
   usualFold,
 } from "../../web/src/features/planarising/planarise-preview.ts";
+import type { PlanariseTrials } from "../../web/src/features/planarising/planarise-trial.ts";
 import { ShownStops } from "../../web/src/features/planarising/shown-stops.ts";
 import { isFar } from "../../web/src/features/planarising/stops.ts";
 import { TrialMemory } from "../../web/src/features/planarising/trial-memory.ts";
-import { byCost } from "../../web/src/features/planarising/way-costs.ts";
+import { byCost, type OtherWay, WayCosts } from "../../web/src/features/planarising/way-costs.ts";
+import type { OpenedMesh } from "../../web/src/solver/protocol.ts";
 
 it("a place of the slider is the same as another that showed the same points, as they were last", () => {
   const stops = new ShownStops();
@@ -68,6 +71,29 @@ it("ways are sorted by how far points move, those that miss what they say and un
   const refused = byCost(ways, new Map([...costs, ["far", null]]));
   expect(refused.map(({ label }) => label)).toEqual(["near", "missed", "unknown"]);
   expect(byCost(ways, new Map(ways.map(({ label }) => [label, null])))).toEqual(ways);
+});
+
+it("a way that what is near the file stands for does not do as it says", async () => {
+  const trials = {
+    end: () => undefined,
+    run: async ({ how }: Pick<OtherWay, "how">) => {
+      const report = { worstExcess: 1, worstMmPerM: 18, planarising: { largest: how.within || 9 } };
+      return { mesh: { report }, measures: null, split: null, how } as unknown as Trial;
+    },
+  } as unknown as PlanariseTrials;
+  const positions = Float64Array.from([0, 0, 0, 3, 20, 1]);
+  const opened = { positions, report: { faces: 4 } } as unknown as OpenedMesh;
+  const design = { settings: { tolerance: 1e-6, cuts: [] } } as unknown as Design;
+  const free = { ...FAIR_FLAT, keepBoundary: false, within: 0, flat: 0 };
+  const costs = new WayCosts(trials, opened, design);
+  await costs.find([
+    { label: "boundary", how: free, share: 0 },
+    { label: "near", how: { ...free, within: 0.5 }, share: 0 },
+  ]);
+  const known = costs.now.value?.known;
+  expect(known?.get("boundary")).toMatchObject({ met: false, mmPerM: 18 });
+  expect(known?.get("boundary")?.move).toBeLessThan(9);
+  expect(known?.get("near")).toMatchObject({ met: true, move: 0.5 });
 });
 
 it("a cost names the move, the panels that stay bent and those that are split", () => {

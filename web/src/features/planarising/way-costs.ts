@@ -36,13 +36,14 @@ interface Costs {
   readonly done: boolean;
 }
 
-function costOf(trial: Trial, design: Design): Cost {
+/** Where what is near the file stands for a way, what counts is what that way itself asks for. */
+function costOf(trial: Trial, { how }: OtherWay, design: Design): Cost {
   const { mesh, measures, split } = trial;
   const { report } = mesh;
   const flat = design.settings.tolerance;
   const excesses = measures && excessesOf(measures.figures);
   return {
-    met: trial.how.within > 0 || isMet(trial, design),
+    met: how.within > 0 || isMet({ ...trial, how }, design),
     move: report.planarising.largest,
     mmPerM: report.worstExcess > flat ? report.worstMmPerM : 0,
     bent: excesses?.filter((excess) => excess > flat).length ?? null,
@@ -97,7 +98,7 @@ export class WayCosts {
     for (const way of ways) {
       const trial = await this.#try(way, mine);
       if (mine !== this.#newest) return;
-      known.set(way.label, trial && costOf(trial, this.#design));
+      known.set(way.label, trial && costOf(trial, way, this.#design));
       this.now.value = { known: new Map(known), done: false };
     }
     this.#trials.end();
