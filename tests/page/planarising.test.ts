@@ -226,7 +226,18 @@ it("a net along the wrong lines is said to be one, and its panels can be coloure
   await colours.selectOption("Conjugate directions");
   await page.getByText(/^Lines of the mesh as opened, .*: half more than \d\.\d°/).waitFor();
   expect(await page.getByText(/^Lines run up to/).count()).toBe(0);
-  await colours.selectOption("Shape");
+  await page.context().close();
+});
+
+it("colours that the note of a net took away are there again once it is gone", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  const colours = page.getByRole("combobox", { name: "Colour by" });
+  await openFile(page, "saddle.obj", saddle(6, 1));
+  await colours.selectOption("fold");
+  await page.getByRole("checkbox", { name: "Colour panels by it" }).check();
+  expect(await colours.inputValue()).toBe("conjugacy");
+  await page.getByRole("button", { name: "Edit as it is" }).click();
+  await expect.poll(() => colours.inputValue()).toBe("fold");
   await page.context().close();
 });
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is wrong with a net, said before anything is solved.
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
+import { kept, type Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { measureNet, netAngles, netFault } from "./net-angles.ts";
@@ -12,18 +13,34 @@ const FAULT = 10;
 /** Milliseconds after which the mesh is in view. */
 const SEEN_AFTER_MS = 100;
 
-/** The switch gives back the colours that were there. */
+/** The colours that the switch took away; null: none. */
+const taken = kept(() => ({ colours: null as ColourBy | null }));
+
+function colour(page: Page): void {
+  taken(page).colours = page.colourBy.peek();
+  page.colourBy.value = "conjugacy";
+}
+
+/** Other colours that were chosen since stay. */
+function giveBack(page: Page): void {
+  const { colours } = taken(page);
+  taken(page).colours = null;
+  if (colours && page.colourBy.peek() === "conjugacy") page.colourBy.value = colours;
+}
+
+/** The colours that were there come back with the switch, and where it goes: nothing else would say what they are. */
 function ColourPanels() {
   const page = usePage();
-  const before = useRef<ColourBy>("shape");
+  useEffect(() => () => giveBack(page), [page]);
   return (
     <label class="check">
       <input
         type="checkbox"
         checked={page.colourBy.value === "conjugacy"}
         onChange={({ currentTarget }) => {
-          if (currentTarget.checked) before.current = page.colourBy.peek();
-          page.colourBy.value = currentTarget.checked ? "conjugacy" : before.current;
+          if (currentTarget.checked) colour(page);
+          else if (taken(page).colours) giveBack(page);
+          else page.colourBy.value = "shape";
         }}
       />
       <span>Colour panels by it</span>
