@@ -85,7 +85,9 @@ it("is not known where a surface is flat, and for panels that are no quads or to
   expect([...conjugacy({ positions, offsets, vertices, topology })]).toEqual([UNKNOWN]);
 });
 
-it("a net's fault is of the panels that are known", () => {
+it("a net's fault is of the panels that are known, where those are half of all", () => {
   expect(netFault(Float32Array.from([-1, 3, -1, 40, 9]))).toEqual({ half: 9, most: 40 });
+  expect(netFault(Float32Array.from([-1, 40, -1, 40]))).toEqual({ half: 40, most: 40 });
+  expect(netFault(Float32Array.from([-1, 40, -1, 40, -1]))).toBeNull();
   expect(netFault(Float32Array.from([-1]))).toBeNull();
 });

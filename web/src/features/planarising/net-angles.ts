@@ -15,9 +15,13 @@ export function netAngles(page: Page): Float32Array | null {
   return measured && measured.of === page.mesh.value ? measured.angles : null;
 }
 
-/** Degrees: what half of the panels exceed, and the largest; null where none is known. */
+/** Of all panels: what is known of fewer says nothing about the net. */
+const LEAST_KNOWN = 0.5;
+
+/** Degrees: what half of the panels that are known exceed, and the largest; null where too few are known. */
 export function netFault(angles: Float32Array): { half: number; most: number } | null {
   const known = angles.filter((angle) => angle !== UNKNOWN).sort();
+  if (known.length < LEAST_KNOWN * angles.length) return null;
   const [half, most] = [known[Math.floor(known.length / 2)], known.at(-1)];
   return half === undefined || most === undefined ? null : { half, most };
 }
