@@ -241,6 +241,20 @@ it("colours that the note of a net took away are there again once it is gone", a
   await page.context().close();
 });
 
+it("the directions of a large net are measured once they are asked for", async () => {
+  const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
+  await openFile(page, "saddle.obj", saddle(71, 1));
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Conjugate directions");
+  const measure = page.getByRole("button", { name: "Measure all panels" });
+  await measure.waitFor();
+  const said = page.getByText(/^Lines of the mesh as opened, .*: half more than \d\d\.\d°/);
+  expect(await said.count()).toBe(0);
+  await measure.click();
+  await said.waitFor();
+  expect(await measure.count()).toBe(0);
+  await page.context().close();
+});
+
 it("a flat mesh that is another shape is said to be one, with the way back near the file", async () => {
   const page = await site.openVault({ viewport: { width: 1440, height: 900 } });
   await openFile(page, "saddle.obj", saddle(6, 1));
