@@ -322,7 +322,7 @@ it("each way on says how far it gets, the furthest first, and a press gets there
   const why = page.getByRole("region", { name: "Why the target is not reached" });
   expect(await why.textContent()).toMatch(
     new RegExp(
-      `^Held back at \\d+ of \\d+ mm here, with the bend shared ${shared?.[1]}\\. Dragged on`,
+      `^Held back at \\d+ of \\d+ mm here; with other panels sharing the bend it gets ${shared?.[1]}\\. Dragged on`,
     ),
   );
   expect(got[0]).toBe(Number.POSITIVE_INFINITY);

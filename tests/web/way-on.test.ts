@@ -93,8 +93,13 @@ describe("what stops it", () => {
     // After a search that nothing bounds.
     expect(held([], null)).toBe("panels");
     expect(reasonWords("unknown", 10, "dragged")).toBe(
-      "No panel is at a limit, but nothing further was found.",
+      "The drag found no way further; another solve may.",
     );
+    for (const sought of ["given", "searched"] as const) {
+      expect(reasonWords("unknown", 10, sought)).toBe(
+        "No panel is at a limit, but nothing further was found.",
+      );
+    }
     const labels = (growth: number | null) =>
       waysOn(design({ limits: ["area=2"] }), "unknown", growth).map(({ label }) => label);
     expect(labels(null)).toContain("Without limits");
@@ -202,8 +207,8 @@ describe("what a way on gains", () => {
         before,
         "m",
       );
-    expect(shared(3.333)).toBe(", with the bend shared 3333 mm");
-    expect(shared(null)).toBe(", with the bend shared all the way");
+    expect(shared(3.333)).toBe("; with other panels sharing the bend it gets 3333 mm");
+    expect(shared(null)).toBe("; with other panels sharing the bend it gets all the way");
     expect(shared(1.009)).toBe("");
     expect(sharedWords(new Map(), before, "m")).toBe("");
   });

@@ -95,6 +95,8 @@ export function reasonWords(
   sought: Sought = "searched",
 ): string {
   const further = sought === "dragged" ? "Dragged on" : "Further";
+  if (reason === "unknown" && sought === "dragged")
+    return "The drag found no way further; another solve may.";
   if (reason === "unknown") return "No panel is at a limit, but nothing further was found.";
   if (reason === "limits") return `${further}, panels would exceed a limit.`;
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
@@ -197,13 +199,13 @@ export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string
   return fold === null ? far : `${far}, ${formatDegrees(fold)}`;
 }
 
-/** ", with the bend shared 3333 mm": how far a drag that was held back gets within its limit, where that is
+/** "; with other panels sharing the bend it gets 3333 mm": how far a drag that was held back gets within its limit, where that is
  * known and further. */
 export function sharedWords(gains: ReadonlyMap<string, Gain>, before: Stop, unit: Unit): string {
   const gain = gains.get(WITHIN);
   if (!gain || (gain.got !== null && isNoFurther(gain.got, before))) return "";
   const far = gain.got === null ? "all the way" : formatLength(gain.got, unit);
-  return `, with the bend shared ${far}`;
+  return `; with other panels sharing the bend it gets ${far}`;
 }
 
 /** Ways that gain something, the furthest first, of those that go as far the one that spoils no panel, then the
