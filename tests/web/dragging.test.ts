@@ -53,11 +53,10 @@ it("names the limits that panels are at, and no other, and to a finger no key", 
   expect(heldWords(["fold"], Number.POSITIVE_INFINITY, false)).toBe(
     "Held back: further, panels would exceed a limit.",
   );
-  for (const degrees of [10, Number.POSITIVE_INFINITY]) {
-    expect(heldWords([], degrees, false)).toBe(
-      "Held back: no panel is at a limit, but nothing further was found.",
-    );
-  }
+  const unknown = "Held back: no panel is at a limit, but it was not followed further.";
+  expect(heldWords([], 10, false)).toBe(`${unknown} Shift goes through.`);
+  expect(heldWords([], 10, true)).toBe(unknown);
+  expect(heldWords([], Number.POSITIVE_INFINITY, false)).toBe(unknown);
 });
 
 it("is held back before folds sharpen, says so, and Shift goes through", async () => {

@@ -83,7 +83,7 @@ describe("what stops it", () => {
     expect(reasonWords("limits", null)).toContain("would exceed a limit");
   });
 
-  it("is not named where no panel is at a limit and yet nothing further was found", () => {
+  it("is not named where no panel is at a limit and yet it was not followed further", () => {
     const refused = { status: "infeasible_handles", bounds: { fold: [] } } as const;
     expect(reason({ limits: ["fold=25"] }, refused)).toBe("unknown");
     const held = (limits: string[], growth: number | null) =>
@@ -97,7 +97,7 @@ describe("what stops it", () => {
     );
     for (const sought of ["given", "searched"] as const) {
       expect(reasonWords("unknown", 10, sought)).toBe(
-        "No panel is at a limit, but nothing further was found.",
+        "No panel is at a limit, but it was not followed further.",
       );
     }
     const labels = (growth: number | null) =>

@@ -88,13 +88,16 @@ const isAside = (said: string | null): boolean =>
 const HELD = "Held back: ";
 
 /** What holds a drag back: its own limit on folds by `degrees`, where it is finite, or stated limits; those of
- * `at`, which panels are at. Fingers have no Shift. */
+ * `at`, which panels are at. Shift goes through its own, also where the search for a way within it ended early;
+ * fingers have none. */
 export function heldWords(at: readonly string[], degrees: number, byFinger: boolean): string {
-  if (at.length === 0) return `${HELD}no panel is at a limit, but nothing further was found.`;
   const own = degrees < Number.POSITIVE_INFINITY;
+  const through = own && !byFinger ? " Shift goes through." : "";
+  if (at.length === 0)
+    return `${HELD}no panel is at a limit, but it was not followed further.${through}`;
   if (!own || !at.includes("fold")) return `${HELD}further, panels would exceed a limit.`;
   const others = at.some((name) => name !== "fold") ? ", or exceed a limit" : "";
-  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${others}.${byFinger ? "" : " Shift goes through."}`;
+  return `${HELD}further, panels would fold more than ${formatDegrees(degrees)} sharper${others}.${through}`;
 }
 
 const isHeldBack = (said: string | null): boolean => said?.startsWith(HELD) ?? false;

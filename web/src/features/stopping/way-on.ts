@@ -97,7 +97,7 @@ export function reasonWords(
   const further = sought === "dragged" ? "Dragged on" : "Further";
   if (reason === "unknown" && sought === "dragged")
     return "The drag found no way further; another solve may.";
-  if (reason === "unknown") return "No panel is at a limit, but nothing further was found.";
+  if (reason === "unknown") return "No panel is at a limit, but it was not followed further.";
   if (reason === "limits") return `${further}, panels would exceed a limit.`;
   if (reason === "slides") return "Further, joints would slide by more than their limit.";
   if (reason === "keep-outs") return "Further, panels or points would enter a keep-out.";
