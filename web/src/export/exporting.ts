@@ -22,13 +22,20 @@ const MEDIA: Readonly<Record<FileFormat | "json", string>> = {
 /** What tells a design from the file that it was made of, whose name it has. */
 const DESIGN = "-design";
 
+/** "roof-design.obj" of "roof.obj", "roof-design-2.obj" of "roof-design.obj": never what was opened. */
+function savedName(opened: string, ending: string): string {
+  const [, stem = opened, design, count = "1", type = ""] =
+    /^(.*?)(-design(?:-(\d+))?)?(\.(?:3dm|[a-z]+))?$/i.exec(opened) ?? [];
+  const name = stem.replace(/[^\p{L}\p{N}_-]+/gu, "-").toLowerCase();
+  const again = design && ending === `${DESIGN}${type.toLowerCase()}`;
+  return `${name}${again ? `${DESIGN}-${Number(count) + 1}${type.toLowerCase()}` : ending}`;
+}
+
 /** `ending`: what follows the name of what was opened, with the extension. */
 export function save(page: Page, blob: Blob, ending: string): void {
-  const opened = page.designName.value.replace(/\.(3dm|[a-z]+)$/i, "");
-  const name = opened.replace(/-design$/i, "").replace(/[^\p{L}\p{N}_-]+/gu, "-");
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
-  link.download = `${name.toLowerCase()}${ending}`;
+  link.download = savedName(page.designName.value, ending);
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
