@@ -44,6 +44,14 @@ const rowsBelow = (heading: string): readonly (readonly string[])[] =>
     .slice(2)
     .map((line) => line.slice(2, -2).split(" | ")) ?? [];
 
+/** Rows that are there at least: a heading that goes by another name would leave none to test. */
+it.each([
+  ["Promises and their tests", 20],
+  ["Findings so far", 20],
+] as const)("the page has the table of %s", (heading, least) => {
+  expect(rowsBelow(heading).length).toBeGreaterThanOrEqual(least);
+});
+
 const checkFor = (path: string): string => CHECK_OF[path.split("/")[1] ?? ""] ?? "";
 
 it.each(rowsBelow("Promises and their tests"))("%s", (_, where) => {
