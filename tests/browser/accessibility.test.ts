@@ -195,7 +195,7 @@ const SMALL = [
   ["320 px", { width: 320, height: 640 }],
 ] as const;
 
-it("forced colours leave tracks of sliders and the scale visible, an edit at 200 % and 320 px all its controls", async () => {
+it("forced colours leave tracks of sliders and the scale visible; an edit at 200 % and 320 px has no fault and is no wider than the window", async () => {
   const page = await site.open({ forcedColors: "active" });
   const track = page.getByRole("slider", { name: "Softness" });
   const width = (await track.boundingBox())?.width ?? 0;
