@@ -145,6 +145,8 @@ it("Cancel during a long solve gives back the last design at once, to the last b
   const numbers = await status(page);
   const before = await exportAs(page, "OBJ");
   await page.getByText("Advanced", { exact: true }).click();
+  const [solver] = page.workers();
+  expect(solver).toBeDefined();
   const spent = await scriptSeconds(page);
   await page.getByRole("combobox", { name: "Engine" }).selectOption("alm");
   const begun = await spent();
@@ -154,6 +156,8 @@ it("Cancel during a long solve gives back the last design at once, to the last b
     `cancelled after ${milliseconds.toFixed(0)} ms by the clock, ${(1000 * script).toFixed(0)} ms of script`,
   );
   expect(script).toBeLessThan(AT_ONCE);
+  // The worker that solves is replaced, not waited for.
+  await expect.poll(() => page.workers().some((one) => one === solver)).toBe(false);
   await idle(page);
   expect(await page.getByRole("alert").count()).toBe(0);
   expect(await status(page)).toBe(numbers);
