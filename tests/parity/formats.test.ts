@@ -4,6 +4,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import { FILE_FORMATS, filesOfFormats, namesOfFormats } from "../../web/src/solver/file-formats.ts";
+import { EXPORT_COMMANDS } from "../../web/src/ui/commands/export-commands.ts";
 
 const ROOT = new URL("../../", import.meta.url);
 const CLI = new URL("build/native/planish", ROOT).pathname;
@@ -34,6 +35,15 @@ it("the page has the formats of the core, and says them in sentences and dialogs
   expect([...FILE_FORMATS].sort()).toEqual(known().sort());
   expect(namesOfFormats("3dm")).toBe("OBJ, OFF, PLY, GLB or 3DM");
   expect(filesOfFormats()).toBe(".obj,.off,.ply,.glb");
+});
+
+/** Not in the menu: OBJ says all that OFF does. The editor's own export and the command line write it. */
+const NO_EXPORT = ["off"];
+
+it("the Export menu has the formats of the page, all but OFF", () => {
+  const names = Object.values(EXPORT_COMMANDS).map(({ name }) => name.toLowerCase());
+  const offered = FILE_FORMATS.filter((format) => names.includes(format));
+  expect(offered).toEqual(FILE_FORMATS.filter((format) => !NO_EXPORT.includes(format)));
 });
 
 it.each(LISTS)("$file: what follows $before names the formats of the core", (list) => {
