@@ -2,7 +2,7 @@
 // Two to four designs side by side or swiped, by one camera, with what tells them apart.
 import { usePage } from "../../ui/page-context.ts";
 import "./compare.css";
-import { useSignal, useSignalEffect } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { formatLength } from "../../quantity/units.ts";
 import { DARK, LIGHT } from "../../scene/palette.ts";
@@ -19,7 +19,7 @@ import {
   compared,
   comparedFigures,
   type Figures,
-  measureCompared,
+  followCompared,
   toggleChosen,
 } from "./comparing.ts";
 
@@ -183,10 +183,7 @@ export function CompareDesigns() {
   const setScale = useRef((largest: number) => {
     scale.value = largest;
   });
-  useSignalEffect(() => {
-    compared(page).value;
-    void measureCompared(page);
-  });
+  useEffect(() => followCompared(page), [page]);
   const shown = layout.value === "swipe" ? compared(page).value.slice(0, 2) : compared(page).value;
   const shownKey = useRef<readonly Candidate[]>([]);
   const same =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two to four designs of one mesh, held against each other.
 
-import { batch, computed, signal } from "@preact/signals";
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import type { Design } from "../../design/design.ts";
 import { convert, type Unit } from "../../quantity/units.ts";
 import type { OpenedMesh, PanelMeasures, Shape } from "../../solver/protocol.ts";
@@ -140,23 +140,53 @@ function remember(page: Page, id: string, figures: Figures): void {
   comparedFigures(page).value = new Map([...comparedFigures(page).value, [id, figures]]);
 }
 
-/** Measures the compared designs that have no figures yet; then counts their types. */
-export async function measureCompared(page: Page): Promise<void> {
-  const opened = page.mesh.value;
-  for (const { id, design } of compared(page).value) {
-    if (!opened || comparedFigures(page).value.has(id)) continue;
+/** Questions about designs, which stop once nobody wants their answers. */
+interface Run {
+  readonly over: () => boolean;
+}
+
+async function measureAll(page: Page, opened: OpenedMesh, { over }: Run): Promise<void> {
+  for (const { id, design } of compared(page).peek()) {
+    if (comparedFigures(page).peek().has(id)) continue;
     const { shape, settings } = design;
     const answer = await client(page)
       .ask({ kind: "measure", shape, fairness: settings.fairness })
       .catch(() => null);
-    if (answer?.kind !== "panels" || !answer.measures || opened !== page.mesh.value) return;
+    if (over() || answer?.kind !== "panels" || !answer.measures) return;
     remember(page, id, figuresOf(page, design, answer.measures, opened));
   }
+}
+
+async function countAll(page: Page, { over }: Run): Promise<void> {
   for (const { id, design } of compared(page).peek()) {
-    if (comparedFigures(page).peek().get(id)?.types !== undefined) continue;
-    const types = await countTypesOf(page, design.shape);
     const figures = comparedFigures(page).peek().get(id);
-    if (opened !== page.mesh.peek()) return;
-    if (figures) remember(page, id, { ...figures, types });
+    if (over() || !figures || figures.types !== undefined) continue;
+    const types = await countTypesOf(page, design.shape);
+    if (!over()) remember(page, id, { ...figures, types });
   }
 }
+
+/** The run that goes on, or went last: the next one waits until it has ended. */
+const lastRun = kept(() => ({ ended: Promise.resolve() }));
+
+/** Measures the compared designs that have no figures yet; then counts their types. */
+async function measureCompared(page: Page, isStopped: () => boolean): Promise<void> {
+  const opened = page.mesh.peek();
+  const run = { over: () => isStopped() || opened !== page.mesh.peek() };
+  await lastRun(page).ended;
+  if (!opened || run.over()) return;
+  await measureAll(page, opened, run);
+  await countAll(page, run);
+}
+
+/** Measures what is compared, whenever that changes, until it is stopped. */
+export const followCompared = (page: Page): (() => void) =>
+  effect(() => {
+    compared(page).value;
+    let stopped = false;
+    const run = untracked(() => measureCompared(page, () => stopped));
+    lastRun(page).ended = run;
+    return () => {
+      stopped = true;
+    };
+  });

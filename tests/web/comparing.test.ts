@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What the solver is asked for while designs are compared.
+import { expect, it } from "vitest";
+import {
+  chooseFirst,
+  comparedFigures,
+  followCompared,
+} from "../../web/src/features/comparing/comparing.ts";
+import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import type { Page } from "../../web/src/state/page.ts";
+import { takeSnapshot } from "../../web/src/state/snapshots.ts";
+import { openedPage } from "./support/page-here.ts";
+
+const MIDDLE = 220;
+
+/** What is counted is not looked at here. */
+const TWO_TYPES = {
+  problem: "",
+  ofPanel: new Int32Array(0),
+  sizes: Int32Array.of(300, 100),
+  worstFit: 0,
+  within: 0,
+};
+
+/** With two designs kept beside the one shown; `asked` has the kinds of all questions since. */
+async function threeDesigns(): Promise<{ readonly page: Page; readonly asked: string[] }> {
+  const asked: string[] = [];
+  const page = await openedPage("roof", ({ kind, job }) => {
+    asked.push(kind);
+    return kind === "types" ? { kind, job, types: TWO_TYPES } : null;
+  });
+  const [x, y, z] = shownPoint(page, MIDDLE);
+  for (const up of [0.1, 0.2]) {
+    await setTarget(page, MIDDLE, [x, y, z + up]);
+    await takeSnapshot(page);
+  }
+  await setTarget(page, MIDDLE, [x, y, z + 0.3]);
+  chooseFirst(page);
+  asked.splice(0);
+  return { page, asked };
+}
+
+const count = (asked: readonly string[], kind: string): number =>
+  asked.filter((one) => one === kind).length;
+
+const counted = (page: Page): number =>
+  [...comparedFigures(page).value.values()].filter(({ types }) => types).length;
+
+const later = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 100));
+
+it("each design is measured once and its types are counted once, the mesh's once for all", async () => {
+  const { page, asked } = await threeDesigns();
+  const stop = followCompared(page);
+  await expect.poll(() => counted(page), { timeout: 20_000 }).toBe(3);
+  await later();
+  expect(count(asked, "measure")).toBe(3);
+  expect(count(asked, "types")).toBe(4);
+  stop();
+});
+
+it("nothing more is asked once the dialog is closed", async () => {
+  const { page, asked } = await threeDesigns();
+  const stop = followCompared(page);
+  const measured = new Promise<void>((resolve) => {
+    comparedFigures(page).subscribe(({ size }) => {
+      if (size === 1) resolve();
+    });
+  });
+  await measured;
+  stop();
+  await later();
+  expect(count(asked, "measure")).toBeLessThan(3);
+  expect(count(asked, "types")).toBe(0);
+});
