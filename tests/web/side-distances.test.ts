@@ -2,6 +2,7 @@
 // What the frames of glass are drawn by: in a flat panel, how far every place is from its nearest side.
 import { expect, it } from "vitest";
 import {
+  followCorners,
   meanSide,
   NO_SIDE,
   sidesKept,
@@ -16,11 +17,12 @@ function panels(...all: readonly Places[]) {
   const corners = Float32Array.from(all.flat().flatMap(([x, y]) => [x, 0.6 * y, 0.8 * y]));
   const kept = sidesKept(offsets);
   const out = new Float32Array((kept * corners.length) / 3);
-  writeSideDistances(corners, offsets, kept, out);
+  writeSideDistances(corners, offsets, { array: out, stride: kept });
   return {
     corners,
     offsets,
     kept,
+    out,
     row: (corner: number) => [...out.subarray(kept * corner, kept * (corner + 1))],
   };
 }
@@ -88,4 +90,27 @@ it("a side whose line would cut through its panel has no frame, the others have"
   const { row } = panels(dart);
   expect(row(0)).toEqual([expect.closeTo(0, 5), expect.any(Number), NO_SIDE, NO_SIDE]);
   expect(row(0)[1]).toBeLessThan(NO_SIDE);
+});
+
+it("after points moved, only the panels at them are written, as they would be anew", () => {
+  const moved = QUAD.map(([x, y]) => [x + 10, y] as const);
+  const there = panels(QUAD, moved);
+  const corners = there.corners.slice();
+  corners[3 * 6] = 14;
+  const after = panels(
+    QUAD,
+    moved.map(([x, y], k) => [k === 2 ? 14 : x, y]),
+  );
+  there.out.fill(-1, 0, 16);
+  const wrote: number[] = [];
+  const out = { array: there.out, stride: 4 };
+  const again = () =>
+    followCorners(corners, there.corners, there.offsets, out, (corner) => wrote.push(corner));
+  again();
+  expect([...there.out.subarray(0, 16)]).toEqual(Array(16).fill(-1));
+  for (const corner of [4, 5, 6, 7]) expect(there.row(corner)).toEqual(after.row(corner));
+  expect(after.row(6)).not.toEqual(panels(QUAD, moved).row(6));
+  expect(wrote).toEqual([4, 7]);
+  again();
+  expect(wrote.length).toBe(2);
 });

@@ -11,8 +11,9 @@ import {
   InterleavedBufferAttribute,
   ShaderMaterial,
 } from "three";
+import { DirtyRange } from "../../scene/dirty-range.ts";
 import type { Skin } from "../../scene/skin.ts";
-import { meanSide, sidesKept, writeSideDistances } from "./side-distances.ts";
+import { followCorners, meanSide, sidesKept, writeSideDistances } from "./side-distances.ts";
 import { FLAT_NORMAL, VIEW_VERTEX } from "./view-shader.ts";
 
 /** How wide a pane's own frame is, as a share of the mean side: with its neighbour's it is twice that. */
@@ -91,16 +92,29 @@ export class Glass implements Skin {
   });
 
   #sides: InterleavedBuffer | null = null;
+  /** The corners that distances were taken of last. */
+  #before = new Float32Array(0);
+  readonly #dirty = new DirtyRange();
 
-  /** Takes new distances after points moved; frames stay as wide as they were at first. */
+  /** Takes new distances in panels whose points moved; frames stay as wide as they were at first. */
   update(geometry: BufferGeometry, offsets: Int32Array): void {
     const { position } = geometry.attributes;
     if (!(position instanceof BufferAttribute)) return;
     const corners = position.array as Float32Array;
-    this.#sides ??= this.#frame(geometry, corners, offsets);
-    const { array, stride } = this.#sides;
-    writeSideDistances(corners, offsets, stride, array as Float32Array);
-    this.#sides.needsUpdate = true;
+    const sides = this.#sides ?? this.#begin(geometry, corners, offsets);
+    const out = { array: sides.array as Float32Array, stride: sides.stride };
+    followCorners(corners, this.#before, offsets, out, (corner) => this.#dirty.add(corner));
+    this.#dirty.flush(sides, sides.stride);
+  }
+
+  #begin(geometry: BufferGeometry, corners: Float32Array, offsets: Int32Array): InterleavedBuffer {
+    const sides = this.#frame(geometry, corners, offsets);
+    const { array, stride } = sides;
+    writeSideDistances(corners, offsets, { array: array as Float32Array, stride });
+    this.#before = corners.slice();
+    this.#dirty.addAll(array.length / stride);
+    this.#sides = sides;
+    return sides;
   }
 
   #frame(geometry: BufferGeometry, corners: Float32Array, offsets: Int32Array): InterleavedBuffer {
