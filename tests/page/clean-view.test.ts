@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A view without what is there for the hand, for pictures and meetings.
 import type { Page } from "playwright-core";
-import { expect, it } from "vitest";
-import { idle, openViewOptions, typeTarget } from "../browser/support/page.ts";
+import { expect, it, vi } from "vitest";
+import { Shell } from "../../web/src/scene/shell.ts";
+import { idle, openRule, openViewOptions, typeTarget } from "../browser/support/page.ts";
 import { handleRows, hintedPoint, middleOf, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -57,5 +58,32 @@ it("hides marks, pulls, arrows and the reach; points are moved as before, and al
   await page.keyboard.press("Enter");
   await expect.poll(() => overModel(page)).toEqual([1, 1, 1, 0]);
   expect(await clean(page).isChecked()).toBe(false);
+  await page.context().close();
+});
+
+it("hides the outline of a chosen panel with its figure, and those of panels at a limit", async () => {
+  const [outline, limits] = [
+    vi.spyOn(Shell.prototype, "outlinePanel"),
+    vi.spyOn(Shell.prototype, "markLimits"),
+  ];
+  const page = await site.openVault();
+  await typeTarget(page, "+1m");
+  await openRule(page, "Limits");
+  const field = page.getByRole("textbox", { name: "Folds up to", exact: true });
+  await field.fill("12");
+  await field.press("Enter");
+  await idle(page);
+  await page.getByRole("button", { name: "Show panels at the limit on folds" }).click();
+  const figure = page.locator(".panel-figure:not([hidden])");
+  await expect.poll(() => figure.count()).toBe(1);
+  expect(outline.mock.lastCall?.[0]).toBeGreaterThanOrEqual(0);
+  await openViewOptions(page);
+  await clean(page).check();
+  await expect.poll(() => figure.count()).toBe(0);
+  expect([outline.mock.lastCall?.[0], limits.mock.lastCall?.[0]]).toEqual([null, []]);
+  await clean(page).uncheck();
+  await expect.poll(() => figure.count()).toBe(1);
+  expect(outline.mock.lastCall?.[0]).toBeGreaterThanOrEqual(0);
+  expect(limits.mock.lastCall?.[0].length).toBeGreaterThan(0);
   await page.context().close();
 });

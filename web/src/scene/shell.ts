@@ -168,7 +168,7 @@ export class Shell {
   /** Draws a line around one panel and gives its corners; null for none. */
   outlinePanel(panel: number | null): Float32Array | null {
     this.#outlined = panel;
-    const corners = panel === null ? null : this.#cornersOf(panel);
+    const corners = panel === null ? null : this.cornersOf(panel);
     this.#lines.outline.draw(corners ? [corners] : []);
     return corners;
   }
@@ -178,7 +178,7 @@ export class Shell {
     if (panels.length === 0 && this.#atLimit.length === 0) return;
     this.#atLimit = panels;
     const shown = panels.filter((panel) => !this.#cuts.hidden.has(panel)).slice(0, MARKED);
-    this.#lines.limits.draw(shown.flatMap((panel) => this.#cornersOf(panel) ?? []));
+    this.#lines.limits.draw(shown.flatMap((panel) => this.cornersOf(panel) ?? []));
   }
 
   /** Leaves panels out of the picture, and the edges that are theirs alone: `shown` has the others. */
@@ -198,7 +198,7 @@ export class Shell {
     return row(this.topology.corners, vertex).some((c) => !hidden.has(panelAt(this.offsets, c)));
   };
 
-  #cornersOf(panel: number): Float32Array | null {
+  cornersOf(panel: number): Float32Array | null {
     const [begin, end] = [this.offsets[panel] ?? 0, this.offsets[panel + 1] ?? 0];
     return end > begin ? this.corners.slice(3 * begin, 3 * end) : null;
   }

@@ -212,11 +212,13 @@ export class Viewport {
   /** Outlines of panels, and the edit or what was before it. */
   #followPanels(): () => void {
     const stops = [
-      effect(() => this.#outline(this.#page.selectedPanel.value)),
       effect(() => {
-        this.sight.shell?.markLimits(panelsAtLimit(this.#page).value);
+        this.#outline();
+        const atLimit = panelsAtLimit(this.#page).value;
+        this.sight.shell?.markLimits(cleanView(this.#page).value ? [] : atLimit);
         this.stage.invalidate();
       }),
+      effect(() => void this.#lookAt(this.#page.selectedPanel.value)),
       effect(() => {
         this.#showBase();
         this.#overlay.showPulls(!this.#page.showBefore.value);
@@ -252,17 +254,17 @@ export class Viewport {
     this.sight.shell?.showBase(this.#page.showBefore.value, cleanView(this.#page).value);
   }
 
-  #outline(panel: number | null): void {
-    const { shell } = this.sight;
-    const corners = shell?.outlinePanel(panel) ?? null;
-    this.#overlay.setPanel(corners);
-    if (corners && !this.#choice.choosing) void this.#lookAt(corners);
-    this.stage.invalidate();
+  /** The panel chosen, with its figure; neither in a clean view. */
+  #outline(): void {
+    const panel = this.#page.selectedPanel.value;
+    const shown = cleanView(this.#page).value ? null : panel;
+    this.#overlay.setPanel(this.sight.shell?.outlinePanel(shown) ?? null);
   }
 
   /** Brings a panel to the middle, near enough to judge it; turns the view only if it must. */
-  async #lookAt(corners: Float32Array): Promise<void> {
-    const panel = this.#page.selectedPanel.peek();
+  async #lookAt(panel: number | null): Promise<void> {
+    const corners = panel === null ? null : this.sight.shell?.cornersOf(panel);
+    if (!corners || this.#choice.choosing) return;
     const part = await fetchPart(this.#page, () => import("./panel-look.ts"));
     const shown = this.#page.displayMesh.peek();
     if (!part || !shown || panel !== this.#page.selectedPanel.peek()) return;
@@ -277,8 +279,7 @@ export class Viewport {
   }
 
   #showMoved(): void {
-    const panel = this.#page.selectedPanel.peek();
-    if (panel !== null) this.#overlay.setPanel(this.sight.shell?.outlinePanel(panel) ?? null);
+    if (this.#page.selectedPanel.peek() !== null) untracked(() => this.#outline());
     this.#placeGizmo();
     this.stage.moved();
   }
