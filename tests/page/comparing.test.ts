@@ -52,7 +52,7 @@ it("the table has the largest slide, what handles are short of, and the bend, as
   const table = await compare(page);
   await expect.poll(() => column(table, "Largest slide")).toEqual(["0 mm", slide]);
   expect(await column(table, "Largest bend")).toEqual(["0 mm", bend]);
-  const [none, some = ""] = await column(table, "Short of target");
+  const [none, some = ""] = await column(table, "Handle from its target");
   expect(none).toBe("–");
   expect(Math.abs(Number.parseFloat(some) - short)).toBeLessThan(1);
   await page.context().close();

@@ -6,8 +6,11 @@ import {
   comparedFigures,
   followCompared,
 } from "../../web/src/features/comparing/comparing.ts";
+import { commitVariation, explore } from "../../web/src/features/exploring/exploring.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
+import { lastRefusedPull } from "../../web/src/state/refused-pull.ts";
+import { largestShortfall } from "../../web/src/state/shortfall.ts";
 import { takeSnapshot } from "../../web/src/state/snapshots.ts";
 import { openedPage } from "./support/page-here.ts";
 
@@ -71,4 +74,27 @@ it("nothing more is asked once the dialog is closed", async () => {
   await later();
   expect(count(asked, "measure")).toBeLessThan(3);
   expect(count(asked, "types")).toBe(0);
+});
+
+it("a handle is as far from its target as from where it was pulled, also where a limit refused that", async () => {
+  const page = await openedPage();
+  const [x, y, z] = shownPoint(page, MIDDLE);
+  await setTarget(page, MIDDLE, [x, y, z + 0.2]);
+  const design = page.history.value?.present;
+  if (!design) throw new Error("no design");
+  expect(largestShortfall(page, design)).toBeLessThan(0.01);
+  const handles = design.handles.map((row) => ({ ...row, target: [x, y, z + 1.2] as const }));
+  lastRefusedPull(page).value = { handles, growth: 10, dragged: true, design };
+  const short = largestShortfall(page, design) ?? 0;
+  expect(Math.abs(short - 1)).toBeLessThan(0.01);
+});
+
+it("a variation, which leaves its targets, is short of none", async () => {
+  const page = await openedPage();
+  const [x, y, z] = shownPoint(page, MIDDLE);
+  await setTarget(page, MIDDLE, [x, y, z + 0.2]);
+  await explore(page);
+  await commitVariation(page, 1, 0.3);
+  const design = page.history.value?.present;
+  expect(design && largestShortfall(page, design)).toBeNull();
 });

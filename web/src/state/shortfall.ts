@@ -6,6 +6,7 @@ import { type Design, type HandleRow, leftBehind, type Point } from "../design/d
 import { convert } from "../quantity/units.ts";
 import { basePoint, shownPoint } from "./editing.ts";
 import { kept, type Page } from "./page.ts";
+import { refusedPull } from "./refused-pull.ts";
 import { isNoticeable } from "./stopping-short.ts";
 
 /** Millimetres: less is not worth a word. */
@@ -32,12 +33,17 @@ function shortfallOf(
   return { vertex, length, noticeable };
 }
 
-/** How far a handle of any design of the mesh is from its target at most, model units; null without handles. */
-export function largestShortfall(page: Page, { handles, shape }: Design): number | null {
+/**
+ * How far a handle of any design of the mesh is from its target at most, model units: from where it was pulled,
+ * where a limit refused that. Null without handles, and of a variation, which leaves its targets.
+ */
+export function largestShortfall(page: Page, design: Design): number | null {
+  const pull = refusedPull(page).value;
+  const handles = pull?.design === design ? pull.handles : design.handles;
   const all = handles.flatMap(({ vertex, target, pinned }) =>
-    pinned ? [] : [between(target, shownPoint(page, vertex, shape))],
+    pinned ? [] : [between(target, shownPoint(page, vertex, design.shape))],
   );
-  return all.length > 0 ? Math.max(...all) : null;
+  return all.length > 0 && !leftBehind(design) ? Math.max(...all) : null;
 }
 
 /** The shortfalls of the last finished design; pinned points have no target. */

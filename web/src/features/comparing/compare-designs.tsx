@@ -109,7 +109,7 @@ const COLUMNS: readonly (readonly [string, Words])[] = [
   ["Smallest angle", ({ angle }) => formatDegrees(angle)],
   ["Largest panel", ({ area }) => `${area.toPrecision(3)} m²`],
   ["Largest slide", ({ slide }, length) => length(slide)],
-  ["Short of target", ({ short }, length) => length(short)],
+  ["Handle from its target", ({ short }, length) => length(short)],
   ["Largest bend", ({ bend }, length) => length(bend)],
   ["Types", typesIn],
 ];

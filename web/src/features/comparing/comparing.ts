@@ -34,7 +34,7 @@ export interface Figures {
   readonly area: number;
   /** Model units; null in records from before it was measured. */
   readonly slide: number | null;
-  /** How far a handle is from its target at most, model units; null without handles. */
+  /** How far a handle is from its target at most, model units; null without handles, and of a variation. */
   readonly short: number | null;
   /** How sharply the edit bends at most, by its own operator, model units. */
   readonly bend: number;
