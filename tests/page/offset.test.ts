@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import {
   exportAs,
   idle,
@@ -121,5 +121,46 @@ it("all commands lead to it, and the model is not behind a dialog", async () => 
   const tab = page.getByRole("tab", { name: "Check and make" });
   expect(await tab.getAttribute("aria-selected")).toBe("true");
   expect(await page.getByRole("dialog").count()).toBe(0);
+  await page.context().close();
+});
+
+it("folded and unfolded again, what asks for it has the distance of the layer shown", async () => {
+  const page = await site.openVault();
+  await layOut(page, "0.3", /302 mm/);
+  const part = page.locator("details").filter({ hasText: "Second layer" });
+  await part.locator("summary").click();
+  await expect.poll(() => part.getByRole("spinbutton").count()).toBe(0);
+  await part.locator("summary").click();
+  await expect.poll(() => part.getByRole("spinbutton").inputValue()).toBe("0.3");
+  await page.context().close();
+});
+
+it("the command brings it into sight each time, by scrolling the inspector alone", async () => {
+  const page = await site.openVault();
+  const ask = async (): Promise<void> => {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("combobox", { name: "Command" }).fill("second layer");
+    await page.keyboard.press("Enter");
+    await page.getByRole("spinbutton", { name: /^Distance/ }).waitFor();
+  };
+  // As if it were further down than the inspector shows.
+  const below = vi
+    .spyOn(HTMLElement.prototype, "getBoundingClientRect")
+    .mockImplementation(function (this: HTMLElement) {
+      const top = this.classList.contains("inspector-body") ? 0 : 500;
+      return new DOMRect(0, top, 100, 100);
+    });
+  const [body, whole] = [
+    vi.spyOn(HTMLElement.prototype, "scrollBy"),
+    vi.spyOn(HTMLElement.prototype, "scrollIntoView"),
+  ];
+  for (const times of [1, 2]) {
+    await ask();
+    await expect.poll(() => body.mock.calls.length).toBe(times);
+  }
+  expect(body.mock.contexts[0]?.classList.contains("inspector-body")).toBe(true);
+  const moved = whole.mock.contexts.filter((element) => element.closest(".inspector-body"));
+  expect(moved).toEqual([]);
+  for (const spy of [below, body, whole]) spy.mockRestore();
   await page.context().close();
 });

@@ -30,6 +30,9 @@ export const viewOptionsShown = kept(() => signal(false));
 /** Whether what asks for a second layer is unfolded. */
 export const layerAsked = kept(() => signal(false));
 
+/** How often a command asked for it: each time it is brought into sight. */
+export const layerCalls = kept(() => signal(0));
+
 /** Shows a tab, for whatever leads to a section of it. */
 export function goToTab(page: Page, tab: Tab): void {
   shownTab(page).value = tab;

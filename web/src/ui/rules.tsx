@@ -9,6 +9,7 @@ import type { EditSettings } from "../solver/protocol.ts";
 import { RULES, type Rule, rulesInOrder, shownRule } from "../state/inspector.ts";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
+import { scrollToSection } from "./section-scroll.ts";
 import "./rules.css";
 
 interface RuleKind {
@@ -70,16 +71,6 @@ function Chip({ rule }: { rule: Rule }) {
   );
 }
 
-/** As much of what has been unfolded as there is room for. scrollIntoView would also move the page under a
- * telephone's address bar. */
-function show(section: HTMLElement): void {
-  const body = section.closest(".inspector-body");
-  if (!body) return;
-  const [inside, window] = [section.getBoundingClientRect(), body.getBoundingClientRect()];
-  const below = Math.min(inside.bottom - window.bottom, inside.top - window.top);
-  if (below > 0) body.scrollBy(0, below);
-}
-
 export function Rules() {
   const page = usePage();
   const settings = page.settings.value ?? FIRST_SETTINGS;
@@ -87,7 +78,7 @@ export function Rules() {
   const open = shownRule(page).value;
   const section = useRef<HTMLElement>(null);
   useEffect(() => {
-    if (open && section.current) show(section.current);
+    if (open && section.current) scrollToSection(section.current);
   }, [open]);
   return (
     <section ref={section} class="rules" aria-labelledby="rules">

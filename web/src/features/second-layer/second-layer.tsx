@@ -4,8 +4,10 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { Design } from "../../design/design.ts";
 import { niceStep, unitWord } from "../../quantity/units.ts";
+import { layerCalls } from "../../state/inspector.ts";
 import type { OffsetChoice } from "../../state/page-state.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { scrollToSection } from "../../ui/section-scroll.ts";
 import { ChoiceRow, NumberRow, ShopForm } from "../shop/shop-fields.tsx";
 import { layOut, offsetWords } from "./offset.ts";
 
@@ -20,7 +22,7 @@ const FORMS = [
 export function SecondLayer() {
   const page = usePage();
   const usual = niceStep((page.mesh.value?.report.meanEdge ?? 1) / 5);
-  const distance = useSignal("");
+  const distance = useSignal(String(page.offsetChoice.peek()?.distance ?? ""));
   const form = useSignal<OffsetChoice["form"]>(page.offsetChoice.peek()?.form ?? "");
   const refused = useSignal<{ readonly of: Design | undefined; readonly why: string } | null>(null);
   const [design, laid, layer] = [
@@ -37,7 +39,10 @@ export function SecondLayer() {
   const refusal = refused.value?.of === design ? (refused.value?.why ?? null) : null;
   const said = laid && layer ? offsetWords(page, layer, laid.distance) : refusal;
   const whole = useRef<HTMLDivElement>(null);
-  useEffect(() => whole.current?.scrollIntoView({ block: "nearest" }), []);
+  const calls = layerCalls(page).value;
+  useEffect(() => {
+    if (whole.current) scrollToSection(whole.current);
+  }, [calls]);
   return (
     <div ref={whole}>
       <ShopForm save="Show" onSave={show} said={said}>

@@ -10,6 +10,7 @@ import {
   goToRule,
   goToTab,
   layerAsked,
+  layerCalls,
   RULES,
   rulesInOrder,
   viewOptionsShown,
@@ -56,6 +57,7 @@ const PLACES: readonly Command[] = [
     run: (page) => {
       goToTab(page, "check");
       layerAsked(page).value = true;
+      layerCalls(page).value += 1;
     },
   },
   { label: "Clean view", run: toggleCleanView },
