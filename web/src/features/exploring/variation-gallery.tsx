@@ -217,7 +217,8 @@ export function VariationGallery() {
   return (
     <>
       <p class="quiet small">
-        Each is flat already. Under it: how far it is from the edit, blue towards you, green away.
+        Each is flat already. The picture is blue where it comes towards you, green where it goes
+        away. Under it: how far at most from the edit, + out of the surface.
       </p>
       <Tiles shown={shown} patch={patch.value} />
       {shown.alike > 0 && <p class="quiet small">{alikeWords(page, shown)}</p>}
