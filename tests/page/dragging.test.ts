@@ -122,7 +122,7 @@ describe("a drag without a lock", () => {
     const page = await openPage();
     const from = await hintedPoint(page);
     const words = page.getByText(
-      "It goes up and down only: lift it, and choose another axis in the drag tools.",
+      "It goes up and down only: lift your finger, then choose another axis above.",
     );
     await touch(page, "pointerdown", { x: from.x, y: from.y });
     await touch(page, "pointermove", { x: from.x + 20, y: from.y });

@@ -79,7 +79,7 @@ const ASIDE = { up: "It goes up and down only: ", out: "It goes in and out only:
 /** A finger has no Alt. */
 const FREED = {
   byKey: "hold Alt to move it freely.",
-  byFinger: "lift it, and choose another axis in the drag tools.",
+  byFinger: "lift your finger, then choose another axis above.",
 } as const;
 
 const isAside = (said: string | null): boolean =>
