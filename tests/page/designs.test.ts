@@ -77,9 +77,15 @@ it("shows exact designs in a gallery; Enter adopts one as one step", async () =>
   expect(await tiles.count()).toBeGreaterThanOrEqual(6);
   for (const k of [0, 5]) {
     const tile = tiles.nth(k);
-    const [, points, length] =
-      /(\d+) points move, largest ([\d.]+ mm)/.exec((await tile.getAttribute("title")) ?? "") ?? [];
+    const title = (await tile.getAttribute("title")) ?? "";
+    const [, points, length] = /(\d+) points move, largest ([\d.]+ mm)/.exec(title) ?? [];
+    expect(title).toMatch(/\d+ panels? to make again/);
+    // The name is short; the rest is its description, and stands under the tiles for a finger.
+    const figure = await tile.locator(".tile-figures").textContent();
+    const name = await tile.locator(".visually-hidden").textContent();
+    expect(name).toBe(`Adopt design ${k + 1}, ${figure}`);
     await tile.focus();
+    await page.getByText(`Design ${k + 1}: ${title}.`, { exact: true }).waitFor();
     await page.keyboard.press("Enter");
     await idle(page);
     expect(await tile.getAttribute("aria-pressed")).toBe("true");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-import { useComputed } from "@preact/signals";
+import { useComputed, useSignal } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { flatnessWords } from "../../design/flatness.ts";
 import { pointFrame } from "../../mesh/point-frame.ts";
@@ -74,6 +74,8 @@ interface TileProps {
   readonly patch: Patch;
   /** The edit that it is a variation of. */
   readonly centre: Shape;
+  /** Takes what is pointed at; null: none any more. */
+  readonly onPoint: (item: GalleryItem | null) => void;
 }
 
 /** "14 panels to make again"; types, where they were asked for, and what is spoilt are said, too. */
@@ -87,7 +89,8 @@ const panelWords = ({ panels }: GalleryItem): readonly string[] =>
     : [];
 
 /** Everything that is known of a tile's design but its number. */
-function aboutWords(page: Page, item: GalleryItem, apart: string): string {
+function aboutWords(page: Page, item: GalleryItem, centre: Shape): string {
+  const [, apart] = apartWords(page, item, centre);
   const { movedVertices, maxDisplacement, worstGap, worstMmPerM, worstExcess } = item.report;
   const length = formatLength(maxDisplacement, page.unit.value);
   const worst = flatnessWords(worstGap, worstMmPerM, worstExcess, page.unit.value).sentence;
@@ -119,11 +122,10 @@ function KeepButton({ item, number }: Pick<TileProps, "item" | "number">) {
   );
 }
 
-function Tile({ item, number, patch, centre }: TileProps) {
+function Tile({ item, number, patch, centre, onPoint }: TileProps) {
   const page = usePage();
   const chosen = page.draft.value?.shape === item.shape;
-  const [apart, apartAbout] = apartWords(page, item, centre);
-  const words = aboutWords(page, item, apartAbout);
+  const [apart] = apartWords(page, item, centre);
   const opened = page.mesh.value;
   const near = useMemo(
     () => (opened ? zoomedTo(opened, patch, item.shape) : patch),
@@ -135,12 +137,12 @@ function Tile({ item, number, patch, centre }: TileProps) {
         type="button"
         class="tile"
         aria-pressed={chosen}
-        title={words}
+        title={aboutWords(page, item, centre)}
         onClick={() => void adopt(page, item)}
-        onPointerEnter={() => preview(page, item)}
-        onPointerLeave={() => preview(page, null)}
-        onFocus={() => preview(page, item)}
-        onBlur={() => preview(page, null)}
+        onPointerEnter={() => onPoint(item)}
+        onPointerLeave={() => onPoint(null)}
+        onFocus={() => onPoint(item)}
+        onBlur={() => onPoint(null)}
       >
         {opened && <PatchPicture mesh={opened} patch={near} shape={item.shape} />}
         <span class="tile-figures" aria-hidden="true">
@@ -152,7 +154,7 @@ function Tile({ item, number, patch, centre }: TileProps) {
           </strong>
         )}
         <span class="visually-hidden">
-          Adopt design {number}: {words}
+          {apart ? `Adopt design ${number}, ${apart}` : `Adopt design ${number}`}
         </span>
       </button>
       <KeepButton item={item} number={number} />
@@ -160,24 +162,43 @@ function Tile({ item, number, patch, centre }: TileProps) {
   );
 }
 
+/** What is known of the design pointed at or chosen: a finger finds no title. */
+function TileWords({ shown, item }: { shown: Gallery; item: GalleryItem | null }) {
+  const page = usePage();
+  const told = item ?? shown.items.find(({ shape }) => shape === page.draft.value?.shape);
+  if (!told) return <p class="quiet small">Press one for its figures.</p>;
+  const number = shown.items.indexOf(told) + 1;
+  return <p class="quiet small">{`Design ${number}: ${aboutWords(page, told, shown.centre)}.`}</p>;
+}
+
 function Tiles({ shown, patch }: { shown: Gallery; patch: Patch }) {
+  const page = usePage();
+  const pointed = useSignal<GalleryItem | null>(null);
   const { items, planned, centre } = shown;
   const waiting = Math.max(0, planned - items.length);
+  const point = (item: GalleryItem | null): void => {
+    pointed.value = item;
+    preview(page, item);
+  };
   return (
-    <ul class="tiles" aria-label="Gallery of variations" aria-busy={waiting > 0}>
-      {items.map((item, k) => (
-        <Tile
-          key={item.coefficients.join()}
-          item={item}
-          number={k + 1}
-          patch={patch}
-          centre={centre}
-        />
-      ))}
-      {Array.from({ length: waiting }, (_, k) => (
-        <li key={`waiting ${items.length + k}`} class="tile waiting" aria-hidden="true" />
-      ))}
-    </ul>
+    <>
+      <ul class="tiles" aria-label="Gallery of variations" aria-busy={waiting > 0}>
+        {items.map((item, k) => (
+          <Tile
+            key={item.coefficients.join()}
+            item={item}
+            number={k + 1}
+            patch={patch}
+            centre={centre}
+            onPoint={point}
+          />
+        ))}
+        {Array.from({ length: waiting }, (_, k) => (
+          <li key={`waiting ${items.length + k}`} class="tile waiting" aria-hidden="true" />
+        ))}
+      </ul>
+      <TileWords shown={shown} item={pointed.value} />
+    </>
   );
 }
 
