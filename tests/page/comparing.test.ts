@@ -3,7 +3,14 @@
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { readObj } from "../browser/support/obj.ts";
-import { idle, movedCount, obj, showTab, typeTarget } from "../browser/support/page.ts";
+import {
+  idle,
+  movedCount,
+  obj,
+  openAdvanced,
+  showTab,
+  typeTarget,
+} from "../browser/support/page.ts";
 import { handleRows } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
@@ -55,6 +62,20 @@ it("the table has the largest slide, what handles are short of, and the bend, as
   const [none, some = ""] = await column(table, "Handle from its target");
   expect(none).toBe("–");
   expect(Math.abs(Number.parseFloat(some) - short)).toBeLessThan(1);
+  await page.context().close();
+});
+
+it("bends by different operators are not held against each other", async () => {
+  const page = await site.openVault();
+  await typeTarget(page, "+40cm");
+  await snapshot(page);
+  await openAdvanced(page);
+  await page.getByRole("combobox", { name: "Fairness" }).selectOption("Laplacian");
+  await idle(page);
+  const table = await compare(page);
+  await expect.poll(() => column(table, "Largest bend")).toHaveLength(2);
+  await expect.poll(async () => (await column(table, "Largest bend"))[1]).not.toBe("…");
+  expect(await column(table, "Largest bend")).toEqual([expect.stringMatching(/[1-9]/), "–"]);
   await page.context().close();
 });
 

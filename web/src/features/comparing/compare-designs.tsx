@@ -96,10 +96,18 @@ function AdoptButton({ id, name }: Pick<Candidate, "id" | "name">) {
   );
 }
 
-type Words = (figures: Figures, length: (model: number | null) => string) => string;
+type Words = (
+  figures: Figures,
+  length: (model: number | null) => string,
+  first: Figures | undefined,
+) => string;
 
 const typesIn = ({ types }: Figures): string =>
   types === undefined ? "…" : types ? typeWords(types) : "–";
+
+/** None where the first design's is by another operator. */
+const bendIn: Words = ({ bend, fairness }, length, first) =>
+  length(first && first.fairness !== fairness ? null : bend);
 
 const COLUMNS: readonly (readonly [string, Words])[] = [
   ["Points moved", ({ moved }) => String(moved)],
@@ -110,7 +118,7 @@ const COLUMNS: readonly (readonly [string, Words])[] = [
   ["Largest panel", ({ area }) => `${area.toPrecision(3)} m²`],
   ["Largest slide", ({ slide }, length) => length(slide)],
   ["Handle from its target", ({ short }, length) => length(short)],
-  ["Largest bend", ({ bend }, length) => length(bend)],
+  ["Largest bend", bendIn],
   ["Types", typesIn],
 ];
 
@@ -118,6 +126,8 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
   const page = usePage();
   const length = (model: number | null): string =>
     model === null ? "–" : formatLength(model, page.unit.value);
+  const all = comparedFigures(page).value;
+  const first = all.get(shown[0]?.id ?? "");
   return (
     <div class="compare-figures">
       <table class="compare-table" aria-label="Comparison">
@@ -134,12 +144,12 @@ function Table({ shown }: { shown: readonly Candidate[] }) {
         </thead>
         <tbody>
           {shown.map(({ id, name }) => {
-            const figures = comparedFigures(page).value.get(id);
+            const figures = all.get(id);
             return (
               <tr key={id}>
                 <th scope="row">{name}</th>
                 {COLUMNS.map(([title, words]) => (
-                  <td key={title}>{figures ? words(figures, length) : "…"}</td>
+                  <td key={title}>{figures ? words(figures, length, first) : "…"}</td>
                 ))}
                 <td>{id !== "" && <AdoptButton id={id} name={name} />}</td>
               </tr>

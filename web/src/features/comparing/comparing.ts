@@ -38,6 +38,8 @@ export interface Figures {
   readonly short: number | null;
   /** How sharply the edit bends at most, by its own operator, model units. */
   readonly bend: number;
+  /** That operator: bends by different ones say nothing of each other. */
+  readonly fairness: Design["settings"]["fairness"];
   /** undefined until they are counted, which comes last; null where they could not be. */
   readonly types: TypeCount | null | undefined;
 }
@@ -132,6 +134,7 @@ function figuresOf(
     slide: report.motion?.slide ?? null,
     short: largestShortfall(page, design),
     bend: largest(bending),
+    fairness: design.settings.fairness,
     types: undefined,
   };
 }
