@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { expect, it } from "vitest";
-import { dropQueued, enqueue, holdTurns } from "../../web/src/state/action-queue.ts";
+import { dropQueued, enqueue, holdQueue } from "../../web/src/state/action-queue.ts";
 import { pageAlone } from "./support/page-here.ts";
 
 /** What was done, in order, of `asked`: a name, with its burst after a slash. */
@@ -38,12 +38,12 @@ it("what has begun is not overtaken", async () => {
     page,
     async () => {
       done.push(1);
-      await inTurnLater;
+      await itHasBegun;
     },
     "x",
   );
-  const inTurnLater = Promise.resolve().then(() => Promise.resolve());
-  await inTurnLater;
+  const itHasBegun = Promise.resolve().then(() => Promise.resolve());
+  await itHasBegun;
   await Promise.all([first, enqueue(page, async () => void done.push(2), "x")]);
   expect(done).toEqual([1, 2]);
 });
@@ -79,7 +79,7 @@ it("actions wait for what holds them back, which counts for none and may fail", 
   const page = pageAlone();
   const done: string[] = [];
   let fail = (_reason: Error): void => {};
-  holdTurns(page, new Promise((_, reject) => (fail = reject)));
+  holdQueue(page, new Promise((_, reject) => (fail = reject)));
   expect(page.queued.value).toBe(0);
   const turn = enqueue(page, async () => void done.push("turn"));
   await new Promise((resolve) => setTimeout(resolve));

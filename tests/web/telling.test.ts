@@ -19,7 +19,7 @@ it("what goes wrong is said, what goes well takes it back, what is given up leav
   expect(page.problem.value).toBeNull();
 });
 
-it("a turn reports what comes of its action, once, and hands it on", async () => {
+it("a queued action reports what comes of its action, once, and hands it on", async () => {
   const page = pageAlone();
   const said: (string | null)[] = [];
   page.problem.subscribe((sentence) => said.push(sentence));

@@ -29,7 +29,7 @@ export function snapshotsToSend(page: Page) {
     .slice(-MOST_VARIANTS);
 }
 
-/** What travels beside the design; within a turn. A snapshot whose mark cannot be read stays here. */
+/** What travels beside the design; within a queued action. A snapshot whose mark cannot be read stays here. */
 export async function companionsOf(page: Page, taken: Taken): Promise<Companions> {
   const variants: Variant[] = [];
   for (const { name, design } of taken.snapshots ? snapshotsToSend(page) : []) {

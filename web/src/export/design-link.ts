@@ -7,7 +7,7 @@ import type { Page } from "../state/page.ts";
 import type { Taken } from "./companions.ts";
 import { designText } from "./design-text.ts";
 
-/** The link that opens the design and verifies it; within a turn. */
+/** The link that opens the design and verifies it; within a queued action. */
 export async function designLink(
   page: Page,
   camera: Camera | null,

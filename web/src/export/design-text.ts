@@ -27,7 +27,7 @@ async function designOf(steps: Steps, whole: boolean): Promise<DesignValue> {
   return toDesign(steps, bytes);
 }
 
-/** What makes the design again; within a turn, as all that follows. */
+/** What makes the design again; within a queued action, as all that follows. */
 export async function designValue(page: Page, whole: boolean): Promise<Result<DesignValue>> {
   const steps = await shownSteps(page);
   return steps.ok ? done(await designOf(steps.value, whole)) : steps;

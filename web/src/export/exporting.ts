@@ -77,7 +77,7 @@ async function textFile(page: Page): Promise<Result<Blob>> {
   return text.ok ? done(new Blob([text.value], { type: MEDIA.json })) : text;
 }
 
-/** The design as a file, within a turn. */
+/** The design as a file, within a queued action. */
 async function fileNow(page: Page, format: FileFormat | "json"): Promise<Result<Blob>> {
   if (format === "json") return textFile(page);
   const question = format === "glb" ? await glbFile(page) : await meshFile(page, format);

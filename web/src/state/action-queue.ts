@@ -33,23 +33,23 @@ export function enqueue<T>(
   action: () => Outcome<T>,
   burst: string | null = null,
 ): Outcome<T> {
-  const turns = own(page);
-  const mine = turns.era;
-  const { newest } = turns;
-  const turn: Queued = { burst, begun: false, overtaken: false };
+  const queue = own(page);
+  const mine = queue.era;
+  const { newest } = queue;
+  const queued: Queued = { burst, begun: false, overtaken: false };
   if (newest && burst !== null && newest.burst === burst && !newest.begun) newest.overtaken = true;
-  turns.newest = turn;
+  queue.newest = queued;
   page.queued.value += 1;
-  const done = turns.last.then(async () => {
-    turn.begun = true;
-    const result = mine === turns.era && !turn.overtaken ? await action() : undefined;
+  const done = queue.last.then(async () => {
+    queued.begun = true;
+    const result = mine === queue.era && !queued.overtaken ? await action() : undefined;
     if (result) report(page, result);
     return result;
   });
-  turns.last = done
+  queue.last = done
     .catch(() => undefined)
     .then(() => {
-      if (mine === turns.era) page.queued.value -= 1;
+      if (mine === queue.era) page.queued.value -= 1;
     });
   return done;
 }
@@ -61,9 +61,9 @@ export function dropQueued(page: Page): void {
 }
 
 /** Holds back the actions that are still to come until `done`; itself it is none. */
-export function holdTurns(page: Page, done: Promise<unknown>): void {
-  const turns = own(page);
-  turns.last = turns.last
+export function holdQueue(page: Page, done: Promise<unknown>): void {
+  const queue = own(page);
+  queue.last = queue.last
     .then(() => done)
     .then(
       () => undefined,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A design's text, read by the core, and what a page kept beside it; within a turn.
+// A design's text, read by the core, and what a page kept beside it; within a queued action.
 import { type Beside, readBeside } from "../design/beside-text.ts";
 import { type DesignText, fromDesign } from "../design/design-value.ts";
 import { done, type Result } from "../result/result.ts";

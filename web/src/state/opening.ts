@@ -182,7 +182,7 @@ async function flatMesh(
 }
 
 /**
- * Makes the mesh flat; within a turn. An edit that asked for that is done again on it, as one more step.
+ * Makes the mesh flat; within a queued action. An edit that asked for that is done again on it, as one more step.
  * @param kind what it becomes beside flat and what is kept already
  * @param trial what was tried out; taken as it is where it is what is wanted
  */

@@ -81,7 +81,7 @@ async function solveAgain(
   return done({ design: { ...fresh, shape, report, variation }, deviation, found });
 }
 
-/** The design of `recipe` on its mesh, which the solver has open; within a turn. */
+/** The design of `recipe` on its mesh, which the solver has open; within a queued action. */
 export async function compute(
   page: Page,
   recipe: Steps,
@@ -136,7 +136,7 @@ async function openAndCompute(
   return end.ok ? done({ ...end.value, mesh }) : end;
 }
 
-/** Does a design again, within a turn; says how far what is there now differs from what was recorded, ""
+/** Does a design again, within a queued action; says how far what is there now differs from what was recorded, ""
  * where it does not. */
 export async function replayNow(page: Page, recipe: Steps): Promise<Result<string>> {
   const end = await openAndCompute(page, recipe);

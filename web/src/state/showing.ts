@@ -9,7 +9,7 @@ import { sameSymmetry } from "../design/symmetry.ts";
 import { done, type Refusal, type Result } from "../result/result.ts";
 import type { OpenedMesh, Source } from "../solver/protocol.ts";
 import { displayOfShape } from "../solver/shape-display.ts";
-import { dropQueued, enqueue, holdTurns } from "./action-queue.ts";
+import { dropQueued, enqueue, holdQueue } from "./action-queue.ts";
 import {
   announceChanges,
   type Base,
@@ -192,7 +192,7 @@ export function cancel(page: Page): void {
   const told = tell(page, openQuestion(baseOf(design)), restoreQuestion(design, false));
   const retold = { design, done: told };
   mine.retold = retold;
-  holdTurns(
+  holdQueue(
     page,
     told.then((result) => {
       if (!result.ok) report(page, result);

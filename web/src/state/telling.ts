@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The alert of the page: what went wrong with the last thing that someone asked for. Operations return
-// what came of them; what they are asked by (a turn, a frame of a drag, a field) reports it here.
+// what came of them; what they are asked by (a queued action, a frame of a drag, a field) reports it here.
 import type { Result } from "../result/result.ts";
 import type { Page } from "./page.ts";
 

@@ -17,7 +17,7 @@ function mend(page: Page, way: Mending, may: () => boolean, told: Told): Outcome
   return enqueue(page, async () => {
     const { source } = page.draft.value ?? {};
     const before = page.mesh.value?.report;
-    // A turn before this one may have made it flat.
+    // An action queued before this one may have made it flat.
     if (source?.kind !== "file" || !before || !may()) return;
     const question = { kind: "join", name: source.name, way } as const;
     const answer = await run(page, "mending the mesh", question, "opened");

@@ -48,7 +48,7 @@ export const turnUp = (page: Page, to: UpAxis): Outcome =>
   enqueue(page, async () => {
     const { source } = page.draft.value ?? {};
     const warnings = page.mesh.value?.report.warnings ?? [];
-    // A turn before this one may have made it flat.
+    // An action queued before this one may have made it flat.
     if (source?.kind !== "file" || !canTurn(page)) return;
     const question = { kind: "turn", name: source.name, from: upAxis(page).value, to } as const;
     const answer = await run(page, "turning the mesh", question, "opened");
