@@ -28,10 +28,12 @@ HandleEditOptions EditSearch::posed_options() const {
 
 bool EditSearch::is_limited() const { return !model_.options().bounds.empty(); }
 
-/// Newton's method along the softness, without stated limits, ends where parts would.
+/// Along the softness, without stated limits, a short way ends where parts would.
 bool EditSearch::parts_help() const {
-  const bool ends_there = follows_softness() && !is_limited();
-  return model_.is_bounded() && !(ends_there && model_.options().engine == Engine::kNewton);
+  constexpr double kShortWay = 2.0;  // mean edges
+  const bool ends_there = model_.options().engine == Engine::kNewton && follows_softness() &&
+                          !is_limited() && handle_scale(model_.problem()) <= kShortWay;
+  return model_.is_bounded() && !ends_there;
 }
 
 /// What takes more ends no lower; where many stated limits act, late steps still pay.
