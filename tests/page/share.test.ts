@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a link holds, and what a design too large for one is offered.
 import type { Page } from "playwright-core";
-import { expect, it } from "vitest";
+import { expect, it, onTestFinished } from "vitest";
 import { flatRoof } from "../browser/support/faults.ts";
 import {
   exportAs,
@@ -114,6 +114,11 @@ it("warns of long links and offers the saved design beside them, and instead of 
 
 it("where the browser keeps the clipboard from the page, Copy takes the link the older way", async () => {
   const page = await site.openVault();
+  const { writeText } = navigator.clipboard;
+  onTestFinished(() => {
+    navigator.clipboard.writeText = writeText;
+    Reflect.deleteProperty(document, "execCommand");
+  });
   await page.evaluate(() => {
     const taken = { text: "" };
     Object.assign(globalThis, { taken });

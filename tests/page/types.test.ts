@@ -78,7 +78,7 @@ it("says how an edit and its variations change the number of types, once they we
   await page.getByRole("button", { name: "Find variations" }).click();
   const tiles = page.getByRole("list", { name: "Gallery of variations" }).getByRole("button");
   await expect
-    .poll(async () => (await tiles.first().textContent()) ?? "", { timeout: 20_000 })
+    .poll(async () => (await tiles.first().getAttribute("title")) ?? "", { timeout: 20_000 })
     .toMatch(new RegExp(`\\d+ panels to make again, \\d+ types? \\(${before.types} before\\)`));
   await page.context().close();
 });
