@@ -141,7 +141,7 @@ void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, Sol
   if (model_.objective(nearer).total() < (certified ? 1.0 + kSame : 1.0) * found) {
     design = std::move(nearer);
   } else {
-    other.status = report.status;
+    if (other.status != SolveStatus::kCancelled) other.status = report.status;
     other.optimality = report.optimality;
   }
   report = std::move(other);
