@@ -207,8 +207,8 @@ describe("what a way on gains", () => {
         before,
         "m",
       );
-    expect(shared(3.333)).toBe("; with other panels sharing the bend it gets 3333 mm");
-    expect(shared(null)).toBe("; with other panels sharing the bend it gets all the way");
+    expect(shared(3.333)).toBe(", 3333 mm sharing the bend");
+    expect(shared(null)).toBe(", all the way sharing the bend");
     expect(shared(1.009)).toBe("");
     expect(sharedWords(new Map(), before, "m")).toBe("");
   });

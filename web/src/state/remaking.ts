@@ -6,9 +6,14 @@ import { healthShown } from "./damage.ts";
 import type { Page } from "./page.ts";
 import { countHealth } from "./panel-rows.ts";
 
-/** "244 panels to make again"; "" while that is not measured, and for none. */
-export function remakeWords(page: Page): string {
+/** 0 while that is not measured. */
+export function panelsToRemake(page: Page): number {
   const health = healthShown(page).value;
-  const { changed } = health ? countHealth(health) : { changed: 0 };
+  return health ? countHealth(health).changed : 0;
+}
+
+/** "244 panels to make again"; "" for none. */
+export function remakeWords(page: Page): string {
+  const changed = panelsToRemake(page);
   return changed === 0 ? "" : `${counted(changed, "panel")} to make again`;
 }

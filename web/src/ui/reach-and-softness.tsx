@@ -7,8 +7,9 @@ import { counted } from "../quantity/counted.ts";
 import { formatLength } from "../quantity/units.ts";
 import { commitSettings, letReachGrow, previewSettings } from "../state/editing.ts";
 import { foldWords } from "../state/fold.ts";
+import type { Page } from "../state/page.ts";
 import { growsReach } from "../state/reach-choice.ts";
-import { remakeWords } from "../state/remaking.ts";
+import { panelsToRemake } from "../state/remaking.ts";
 import { Choice } from "./choice.tsx";
 import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
@@ -24,6 +25,14 @@ const movedWords = (moved: number): string => {
   if (moved === 0) return "";
   return moved === 1 ? "1 point moves" : `${moved} points move`;
 };
+
+/** "81 points, 100 panels again": short, so that it stays one line. */
+function effectWords(page: Page): string {
+  const moved = page.figures.value.movedVertices;
+  const panels = panelsToRemake(page);
+  if (panels === 0) return movedWords(moved);
+  return `${counted(moved, "point")}, ${counted(panels, "panel")} again`;
+}
 
 function Reach() {
   const page = usePage();
@@ -52,7 +61,7 @@ function Reach() {
       shown={shown}
       disabled={!page.ready.value}
       ends={["next panels only", "no limit"]}
-      effect={[moved, remakeWords(page)].filter(Boolean).join(", ")}
+      effect={effectWords(page)}
       onInput={(value) => previewSettings(page, change(value))}
       onCommit={(value, burst) => commitSettings(page, change(value), burst)}
     />

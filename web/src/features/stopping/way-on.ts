@@ -199,13 +199,13 @@ export function gainWords({ got, fold }: Gain, before: Stop, unit: Unit): string
   return fold === null ? far : `${far}, ${formatDegrees(fold)}`;
 }
 
-/** "; with other panels sharing the bend it gets 3333 mm": how far a drag that was held back gets within its limit, where that is
+/** ", 3333 mm sharing the bend": how far a drag that was held back gets within its limit, where that is
  * known and further. */
 export function sharedWords(gains: ReadonlyMap<string, Gain>, before: Stop, unit: Unit): string {
   const gain = gains.get(WITHIN);
   if (!gain || (gain.got !== null && isNoFurther(gain.got, before))) return "";
   const far = gain.got === null ? "all the way" : formatLength(gain.got, unit);
-  return `; with other panels sharing the bend it gets ${far}`;
+  return `, ${far} sharing the bend`;
 }
 
 /** Ways that gain something, the furthest first, of those that go as far the one that spoils no panel, then the
