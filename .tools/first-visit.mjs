@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a first visit waits for on a line of 10 Mbit/s and 40 ms with an empty cache: until the page is ready and
 // until the first drag has moved points, in ms since the address was opened; the median of some visits and the
-// slowest. Files go packed, as every static server can send them. `node .tools/first-visit.mjs` after `npm run build`.
+// slowest, and the same without the line: what the machine itself takes. Files go packed, as every static server
+// can send them. `node .tools/first-visit.mjs` after `npm run build`.
 import { createServer as createHttpServer } from "node:http";
 import { connect, createServer } from "node:net";
 import { gzipSync } from "node:zlib";
@@ -9,7 +10,7 @@ import { launch } from "./browser.mjs";
 import { hintedPoint } from "./page.mjs";
 import { serve } from "./serve.mjs";
 
-const [BITS_PER_MS, ROUND_TRIP, VISITS] = [10_000, 40, 9];
+const [BITS_PER_MS, ROUND_TRIP, VISITS] = [10_000, 40, 5];
 const later = (wait) => new Promise((done) => setTimeout(done, wait));
 const listening = (server) =>
   new Promise((done) => server.listen(0, () => done(server.address().port)));
@@ -84,16 +85,20 @@ async function visit(browser, url) {
 const site = await packed(new URL("../dist/", import.meta.url).pathname);
 const slow = await line(site.port);
 const browser = await launch();
-const visits = [];
-for (let round = 0; round < VISITS + 1; round += 1) {
-  const times = await visit(browser, `http://localhost:${slow.port}/`);
-  if (round > 0) visits.push(times); // The first one packs the files.
-}
-for (const what of ["ready", "dragged"]) {
-  const sorted = visits.map((each) => each[what]).sort((a, b) => a - b);
-  console.log(
-    `${what}: ${sorted[VISITS >> 1].toFixed(0)} ms, slowest ${sorted.at(-1).toFixed(0)} ms`,
-  );
+for (const [where, port] of [
+  ["on the line", slow.port],
+  ["without it", site.port],
+]) {
+  const visits = [];
+  for (let round = 0; round <= VISITS; round += 1) {
+    const times = await visit(browser, `http://localhost:${port}/`);
+    if (round > 0) visits.push(times); // The first one packs the files.
+  }
+  for (const what of ["ready", "dragged"]) {
+    const sorted = visits.map((each) => each[what]).sort((a, b) => a - b);
+    const [median, slowest] = [sorted[VISITS >> 1], sorted.at(-1)].map((ms) => ms.toFixed(0));
+    console.log(`${what} ${where}: ${median} ms, slowest ${slowest} ms`);
+  }
 }
 await browser.close();
 for (const each of [slow, site]) each.close();
