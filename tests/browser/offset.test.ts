@@ -1,22 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Needs: pixels, network.
-// Check and make, Second layer: the design at a distance is drawn with it; what makes it comes when asked for.
-import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { exportAs, idle, showTab, status } from "./support/page.ts";
+import { layOut } from "./support/layer.ts";
+import { exportAs, idle, status } from "./support/page.ts";
 import { site } from "./support/site.ts";
-
-/** Asks for a layer, and waits for what is said of it. */
-async function layOut(page: Page, distance: string, says: RegExp, keeps?: string): Promise<void> {
-  await showTab(page, "Check and make");
-  const part = page.locator("details").filter({ hasText: "Second layer" });
-  if ((await part.getAttribute("open")) === null) await part.locator("summary").click();
-  await part.getByRole("spinbutton").fill(distance);
-  const form = part.getByRole("combobox", { name: "Offset kind" });
-  await form.selectOption(keeps ?? "What the design allows");
-  await part.getByRole("button", { name: "Show" }).click();
-  await expect.poll(() => part.locator("[aria-live]").innerText()).toMatch(says);
-}
 
 it("a second layer is drawn, by a module that comes when asked for", async () => {
   const page = await site.open({ draws: true });

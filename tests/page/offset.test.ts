@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, it, vi } from "vitest";
+import { layOut } from "../browser/support/layer.ts";
 import {
   exportAs,
   idle,
@@ -18,18 +19,6 @@ import {
 import { site } from "./support/site.ts";
 
 const CLI = new URL("../../build/native/planish", import.meta.url).pathname;
-
-/** Asks for a layer, and waits for what is said of it. */
-async function layOut(page: Page, distance: string, says: RegExp, keeps?: string): Promise<void> {
-  await showTab(page, "Check and make");
-  const part = page.locator("details").filter({ hasText: "Second layer" });
-  if ((await part.getAttribute("open")) === null) await part.locator("summary").click();
-  await part.getByRole("spinbutton").fill(distance);
-  const form = part.getByRole("combobox", { name: "Offset kind" });
-  await form.selectOption(keeps ?? "What the design allows");
-  await part.getByRole("button", { name: "Show" }).click();
-  await expect.poll(() => part.locator("[aria-live]").innerText()).toMatch(says);
-}
 
 /** The points of the second layer in a GLB, z up. */
 function layerOf(glb: Buffer): number[][] {
