@@ -2,7 +2,7 @@
 // What is selected is what was clicked, and the arrows stand where the selected point is.
 import { expect, it } from "vitest";
 import { openFile, showTab, still } from "../browser/support/page.ts";
-import { viewBox } from "../browser/support/view.ts";
+import { hintedPoint, viewBox } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 /** A closed box of 6 by 4 by 3, its normals outwards. */
@@ -26,5 +26,26 @@ it("a panel chosen in the table can be seen: a click on it in the view selects i
     await page.mouse.click(x + width / 2, y + height / 2 + 26);
     await expect.poll(() => figure.textContent()).toContain(`Panel ${panel} `);
   }
+  await page.context().close();
+});
+
+it("a clicked panel says its figure, and the camera stays", async () => {
+  const page = await site.openVault({ viewport: { width: 900, height: 640 } });
+  await page.getByLabel("3D view").focus();
+  await page.keyboard.press("2");
+  await still(page);
+  for (let k = 0; k < 8; ++k) await page.keyboard.press("+");
+  const point = await hintedPoint(page);
+  // From above and near enough, the middle of a panel lies right of a point and below it.
+  for (let k = 20; k < 90 && (await page.getByText(/ corners, /).count()) === 0; k += 7) {
+    await page.mouse.click(point.x + k, point.y + k);
+    await still(page); // what says the figure comes with the first click
+  }
+  expect(await page.getByText(/ corners, /).textContent()).toMatch(
+    /4 corners, flat \(< 0\.000001 mm\/m\)/,
+  );
+  expect(await hintedPoint(page)).toEqual(point);
+  await page.keyboard.press("Escape");
+  expect(await page.getByText(/ corners, /).count()).toBe(0);
   await page.context().close();
 });
