@@ -1,3 +1,6 @@
+// SPDX-License-Identifier: MIT
+// Needs: pixels, network.
+// Check and make, Second layer: the design at a distance is drawn with it; what makes it comes when asked for.
 import { expect, it } from "vitest";
 import { layOut } from "./support/layer.ts";
 import { exportAs, idle, status } from "./support/page.ts";
