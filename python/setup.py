@@ -32,7 +32,7 @@ class CMakeBuild(build_ext):
 
 
 class WithCataloguePage(build_py):
-    """Adds what `bash .tools/build.sh catalogue` has made; without it planish.catalogue() says so."""
+    """Adds what `bash .tools/start/build.sh catalogue` has made; without it planish.catalogue() says so."""
 
     def run(self):
         super().run()

@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "nod
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { openBrowser, settled } from "../page.mjs";
+import { openBrowser, settled } from "../page/page.mjs";
 import { barChart, residualChart } from "./charts.mjs";
 import { ROOT, report } from "./command.mjs";
 import { editWords } from "./recipes.mjs";

@@ -193,7 +193,7 @@ function page(scenes, measured) {
 
 Deng et al. 2013, *Exploring Local Modifications for Constrained Meshes*, measured with this code on
 ${measured.machine}, ${measured.date}. This page, its pictures, recipes and links are made by
-\`node .tools/paper.mjs\` from nothing; no figure in it is typed. \`npm start\` serves the page that the
+\`node .tools/paper/paper.mjs\` from nothing; no figure in it is typed. \`npm start\` serves the page that the
 links open (port 4173); the Sample list there offers one scene of each figure. Each link was opened in
 a real browser in this run and said "Verified"; a test does it again. The meshes are our own samples that
 resemble the paper's, which were never published.

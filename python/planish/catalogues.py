@@ -18,7 +18,7 @@ from . import _core, picture
 from .design import Design
 from .errors import UsageError
 
-#: The page, as `bash .tools/build.sh catalogue` makes it; part of the wheel.
+#: The page, as `bash .tools/start/build.sh catalogue` makes it; part of the wheel.
 PAGE = Path(__file__).with_name("catalogue_page")
 #: Characters. A design with a large mesh makes a link that browsers and people choke on.
 LONGEST_LINK = 32_000
@@ -50,7 +50,7 @@ def catalogue(
     """
     if not (PAGE / "index.html").exists():
         raise UsageError(
-            "this package was built without the catalogue's page: run bash .tools/build.sh catalogue, "
+            "this package was built without the catalogue's page: run bash .tools/start/build.sh catalogue, "
             "then build the wheel again"
         )
     folder, out = Path(folder), Path(out)

@@ -6,7 +6,7 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { type Browser, chromium, type FrameLocator, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, inject, it } from "vitest";
-import { serve } from "../../.tools/serve.mjs";
+import { serve } from "../../.tools/page/serve.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
 import { drawNothing } from "./support/drawing.ts";
 import { SITE } from "./support/server.ts";

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { launch } from "../../.tools/browser.mjs";
+import { launch } from "../../.tools/page/browser.mjs";
 import { expectClean } from "../browser/support/axe.ts";
 import { drawNothing } from "../browser/support/drawing.ts";
 import { idle, movedCount, status } from "../browser/support/page.ts";

@@ -10,7 +10,7 @@ import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { launch } from "../../.tools/browser.mjs";
+import { launch } from "../../.tools/page/browser.mjs";
 import type { PlanishEditor } from "../../wasm/package/src/planish-editor.ts";
 import { drawNothing } from "../browser/support/drawing.ts";
 import { readObj } from "../browser/support/obj.ts";

@@ -6,8 +6,8 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { build, createLogger } from "vite";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { launch } from "../../.tools/browser.mjs";
-import { serve } from "../../.tools/serve.mjs";
+import { launch } from "../../.tools/page/browser.mjs";
+import { serve } from "../../.tools/page/serve.mjs";
 import { DEFAULT_SETTINGS } from "../../web/src/design/design.ts";
 import { loadPlanish } from "../parity/support/planish.ts";
 

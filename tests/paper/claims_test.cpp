@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// What the paper states and a machine can check. Each test records what it measured; docs/paper.md
-/// is made from these records (.tools/paper.mjs), so its figures are the ones asserted here.
+/// is made from these records (.tools/paper/paper.mjs), so its figures are the ones asserted here.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>

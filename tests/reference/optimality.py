@@ -24,7 +24,7 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / ".tools"))
+sys.path.insert(0, str(ROOT / ".tools/measure"))
 import survey  # noqa: E402  meshes, edits and the file reader
 
 ATTRACTION, LOCALITY, SMOOTHNESS = 1000.0, 1.0, 1.0

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every scene of docs/paper.md opens from its link and is the recorded design to the last bit. A few of them
 // open in the workers of browsers, too (tests/browser/figures.test.ts, tests/firefox). If an engine was
-// changed on purpose, `node .tools/paper.mjs scenes` records them anew.
+// changed on purpose, `node .tools/paper/paper.mjs scenes` records them anew.
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import { replay } from "../../web/src/state/replaying.ts";

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 
 const PAGE = readFileSync("docs/reliability.md", "utf8");
-const CHECKS = readFileSync(".tools/checks.py", "utf8");
+const CHECKS = readFileSync(".tools/ci/checks.py", "utf8");
 
 /** The check that runs a folder of tests; C++ tests in CMake's suites. */
 const CHECK_OF: Readonly<Record<string, string>> = {
@@ -61,7 +61,7 @@ it.each(rowsBelow("Promises and their tests"))("%s", (_, where) => {
   for (const path of named) expect(isThere(path), path).toBe(true);
   const tests = named.filter((path) => path.startsWith("tests/"));
   for (const path of tests) expect(AT_COMMIT, path).toContain(checkFor(path));
-  const checks = [...where.matchAll(/(?:check|preset) `(\w+)`|\.tools\/(cppcheck)/g)];
+  const checks = [...where.matchAll(/(?:check|preset) `(\w+)`|\.tools\/ci\/(cppcheck)/g)];
   for (const [, named1, named2] of checks) expect(AT_COMMIT).toContain(named1 ?? named2);
   expect(tests.length + checks.length + Number(/^same;/.test(where)), where).toBeGreaterThan(0);
 });

@@ -7,7 +7,7 @@
 namespace planish {
 namespace {
 
-// Chosen by .tools/softness.py, see docs/decisions/0009-reach-and-softness.md.
+// Chosen by .tools/measure/softness.py, see docs/decisions/0009-reach-and-softness.md.
 constexpr double kNarrowest = 0.75;  ///< radius at the hard end, share of the reach
 constexpr double kWidest = 3.0;      ///< … at the soft end, where only the reach is a limit
 constexpr double kRadius = 0.01;     ///< ω_f h / ω_s of a radius of one edge

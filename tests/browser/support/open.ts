@@ -7,7 +7,7 @@ import {
   type Page,
 } from "playwright-core";
 import { expect, inject } from "vitest";
-import { serve } from "../../../.tools/serve.mjs";
+import { serve } from "../../../.tools/page/serve.mjs";
 import { FIRST_SETTINGS } from "../../../web/src/design/design.ts";
 import { PATIENCE } from "../../patience.ts";
 import { encodeLink } from "../../web/support/links.ts";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One browser and one server of the built site for all test files: vitest starts them before the first.
 import type { TestProject } from "vitest/node";
-import { launchServer } from "../../../.tools/browser.mjs";
-import { serve } from "../../../.tools/serve.mjs";
+import { launchServer } from "../../../.tools/page/browser.mjs";
+import { serve } from "../../../.tools/page/serve.mjs";
 
 declare module "vitest" {
   interface ProvidedContext {

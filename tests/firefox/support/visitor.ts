@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Somebody who opens the built site in Debian's Firefox. It has WebGL only with a screen, so the tests run
-// under Xvfb (.tools/checks.py); playwright-core cannot drive it, puppeteer-core does by WebDriver BiDi.
+// under Xvfb (.tools/ci/checks.py); playwright-core cannot drive it, puppeteer-core does by WebDriver BiDi.
 import { mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import puppeteer, { type Page } from "puppeteer-core";
 import { expect } from "vitest";
-import { serve } from "../../../.tools/serve.mjs";
+import { serve } from "../../../.tools/page/serve.mjs";
 import { SITE } from "../../browser/support/server.ts";
 
 export interface Visitor {

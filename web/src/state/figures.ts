@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's figures as designs to open; made by .tools/paper.mjs, see docs/paper.md.
+// The paper's figures as designs to open; made by .tools/paper/paper.mjs, see docs/paper.md.
 
 import { computed, signal } from "@preact/signals";
 import type { OpenedMesh } from "../solver/protocol.ts";

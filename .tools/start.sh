@@ -1,6 +1,0 @@
-#!/usr/bin/env bash
-# Sets up, builds and serves the page; prints its address. PORT chooses the port.
-set -euo pipefail
-cd "$(dirname "$0")/.."
-bash .tools/build.sh wasm site
-exec node .tools/serve.mjs dist
