@@ -105,6 +105,10 @@ GRAPH = {
         "build/python/venv/bin/python -X faulthandler -m pytest -q -p no:cacheprovider --timeout=300 "
         "--junitxml=$OUT/pytest.xml tests/python",
         ("build-wheel",)),
+    # Six edits of kinds in which no handle can get nearer; of all kinds (--edits 60) some can: decision 4.
+    "infeasible": Check(
+        "/usr/bin/python3 tests/reference/infeasible.py --edits 6 --kinds edge,area,slide,keep-out,plane,line "
+        "--points 26 --folder none", ("build-native",)),
     "cppcheck": Check("bash .tools/ci/cppcheck.sh"),
     "native": dealt("build/native/tests/planish_tests", "build-native", parts=8 * CORES),
     "sanitize": dealt("build/sanitize/tests/planish_quick_tests", "build-sanitize"),
@@ -120,7 +124,7 @@ GRAPH = {
     "fuzz-long": Check("bash .tools/ci/fuzz.sh --long", ("build-fuzz", "build-wasm"), cores=CORES),
 }
 BEFORE_SHOWING = ["format", "lint", "types", "architecture", "unit", "page", "parity", "native"]
-REST = ["browser", "firefox", "package", "python", "doors", "sanitize", "wasm", "tidy", "cppcheck", "fuzz"]
+REST = ["browser", "firefox", "package", "python", "doors", "sanitize", "wasm", "tidy", "cppcheck", "infeasible", "fuzz"]
 LONG = ["wasm-all", "sanitize-all", "tidy-all", "fuzz-long"]
 SETS = {"rest": REST, "nightly": BEFORE_SHOWING + [c for c in REST if c not in ("sanitize", "wasm", "tidy", "fuzz")] + LONG}
 
