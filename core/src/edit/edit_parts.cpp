@@ -98,26 +98,64 @@ ExactDesign EditSearch::solve_in_parts(const Progress& progress, SolveReport& re
 /// What stands for targets that no flat design was found for: handles that may stay short of them,
 /// approached in parts, then pulled less far. The base mesh is the last resort, and always valid.
 ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report) {
-  EditProblem& problem = model_.problem();
-  std::vector<int> hard;
-  for (const int v : problem.handles) {
-    if (problem.terms[at(v)].fixed) hard.push_back(v);
-  }
-  const bool softened = !hard.empty();
-  if (softened && model_.is_bounded()) {  // a jump starts beyond the barrier, a path does not
+  const bool hard = model_.options().hard_handles;
+  if (hard && model_.is_bounded()) {  // a jump starts beyond the barrier, a path does not
     ExactDesign design = solve_in_parts(progress, report);
     if (report.status != SolveStatus::kInfeasibleHandles) return design;
   }
   softens_handles_ = true;
-  for (const int v : hard) problem.terms[at(v)].fixed = false;
+  model_.pose(model_.targets(), posed_options());
   ExactDesign design = solve_in_parts(progress, report);
   if (stops_short(kFarShort, design, report)) find_nearer(progress, design, report);
-  for (const int v : hard) problem.terms[at(v)].fixed = true;
+  if (hard) pull_harder(progress, design, report);
   softens_handles_ = false;
-  if (softened && report.status != SolveStatus::kCancelled) {
+  model_.pose(model_.targets(), posed_options());
+  if (hard && report.status != SolveStatus::kCancelled) {
     report.status = SolveStatus::kInfeasibleHandles;
+    hold_at_targets(progress, design, report);
   }
   return design;
+}
+
+/// Takes soft handles that stand for hard ones nearer to their targets than the balance with the
+/// edit's other terms: by weights that grow, for as long as that moves them.
+void EditSearch::pull_harder(const Progress& progress, ExactDesign& design, SolveReport& report) {
+  constexpr double kHarder[] = {10.0, 100.0, 1000.0};  // of the attraction
+  if (model_.options().engine != Engine::kNewton || model_.options().max_iterations > 0) return;
+  const NewtonOptions options = engine_options();
+  load(design);
+  for (const double factor : kHarder) {
+    if (report.status == SolveStatus::kCancelled) return;
+    model_.pose(model_.targets(), posed_options());
+    for (const int v : model_.problem().handles) {
+      model_.problem().terms[at(v)].square_weight *= factor;
+    }
+    SolveReport firm;
+    firm.cost = newton_.run_warm(model_.problem(), options, field_, progress).cost;
+    ExactDesign nearer = settle(options, progress, firm);
+    report.cost += firm.cost;
+    if (firm.status == SolveStatus::kCancelled) report.status = firm.status;
+    if (!model_.is_acceptable(nearer)) return;
+    if (model_.handle_distance(nearer) >= model_.handle_distance(design)) return;
+    design = std::move(nearer);
+    report.optimality = firm.optimality;
+  }
+}
+
+/// Holds hard handles where soft ones in their place came to the targets.
+void EditSearch::hold_at_targets(const Progress& progress, ExactDesign& design,
+                                 SolveReport& report) {
+  constexpr double kArrived = 1e-2;  // of the pull
+  if (model_.handle_distance(design) > kArrived * handle_scale(model_.problem())) return;
+  load(design);
+  SolveReport held;
+  ExactDesign there = settle(engine_options(), progress, held);
+  report.cost += held.cost;
+  if (held.status == SolveStatus::kCancelled) report.status = held.status;
+  if (held.status != SolveStatus::kConverged || !model_.is_acceptable(there)) return;
+  design = std::move(there);
+  report.status = held.status;
+  report.optimality = held.optimality;
 }
 
 /// Whether handles stop short by more than a share of their way, without a certificate: a jump may

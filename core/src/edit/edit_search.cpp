@@ -195,6 +195,16 @@ bool EditSearch::release() {
          active_set.release(newton_.track_forces(), kAtRest * handle_scale(model_.problem()));
 }
 
+/// The engine goes on from `design`.
+void EditSearch::load(const ExactDesign& design) {
+  field_.clear();
+  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
+    field_.set_displacement(design.vertices[k],
+                            design.displacement.col(static_cast<Eigen::Index>(k)));
+  }
+  newton_.set_support(design.vertices.empty() ? model_.problem().handles : design.vertices);
+}
+
 ExactDesign EditSearch::corrected(const ExactDesign& design) {
   field_.clear();
   for (std::size_t k = 0; k < design.vertices.size(); ++k) {

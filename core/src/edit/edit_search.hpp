@@ -75,6 +75,7 @@ class EditSearch {
   [[nodiscard]] NewtonOptions engine_options() const;
   [[nodiscard]] Place place() const { return {newton_.support(), field_.snapshot()}; }
   void go_back(const Place& place);
+  void load(const ExactDesign& design);
   [[nodiscard]] ExactDesign design() { return model_.finish(newton_.support(), field_); }
 
   // The engines.
@@ -106,6 +107,8 @@ class EditSearch {
                       SolveReport& report);
   ExactDesign solve_in_parts(const Progress& progress, SolveReport& report);
   ExactDesign fall_back(const Progress& progress, SolveReport& report);
+  void pull_harder(const Progress& progress, ExactDesign& design, SolveReport& report);
+  void hold_at_targets(const Progress& progress, ExactDesign& design, SolveReport& report);
 
   /// The options of the edit, its handles soft where no flat design meets hard ones.
   [[nodiscard]] HandleEditOptions posed_options() const;
