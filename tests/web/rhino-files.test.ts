@@ -197,6 +197,18 @@ describe("panels of a file", () => {
     expect(remarks[0]).toMatch(/^1 group of quads in one plane may be one panel each/);
   });
 
+  it("that are triangles in one plane are put together, but not around a point inside", () => {
+    const points = regular(6);
+    const fan = [1, 2, 3, 4].map((k) => [0, k, k + 1]);
+    const one = read("Meters", [{ points, faces: fan }]);
+    expect(one.mesh.faces.map((face) => face.length)).toEqual([6]);
+    expect(one.remarks[0]).toMatch(/^1 panel of five and more corners put together/);
+    const around = points.map((_, k) => [6, k, (k + 1) % 6]);
+    const wheel = read("Meters", [{ points: [...points, [0, 0, 0]], faces: around }]);
+    expect(wheel.mesh.faces.map((face) => face.length)).toEqual(Array(6).fill(3));
+    expect(wheel.remarks[0]).toMatch(/^1 group of coplanar triangles stayed triangles/);
+  });
+
   it("that are quads in one plane with a straight or hollow outline are panels", () => {
     const row = { points: SQUARE.map(([x, y]) => [x + 1, y, 0] as const), faces: QUAD };
     expect(read("Meters", [{ points: SQUARE, faces: QUAD }, row]).remarks).toEqual([]);
