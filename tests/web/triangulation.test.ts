@@ -96,4 +96,22 @@ describe("triangles of a panel", () => {
     const panels = [...triangles].map((corner) => panelAt(offsets, corner));
     expect(panels).toEqual([...Array(6).fill(0), ...Array(3).fill(1), ...Array(12).fill(2)]);
   });
+
+  it("of a panel that folds back on itself are fewer, and those left over are its first corner", () => {
+    const spike: readonly Point[] = [
+      [0, 0],
+      [4, 0],
+      [4, 4],
+      [2, 4],
+      [2, 6],
+      [2, 4],
+      [0, 4],
+    ];
+    const corners = Float32Array.from([...ARROW, ...spike].flatMap(([x, y]) => [x, y, 0]));
+    const triangles = triangulate(corners, Int32Array.of(0, 4, 11));
+    const own = Array.from({ length: 5 }, (_, t) => [...triangles.slice(6 + 3 * t, 9 + 3 * t)]);
+    const empty = own.filter((triangle) => new Set(triangle).size === 1);
+    expect(empty.length).toBeGreaterThan(0);
+    expect(empty).toEqual(empty.map(() => [4, 4, 4]));
+  });
 });
