@@ -8,11 +8,12 @@ import {
 } from "../../web/src/features/comparing/comparing.ts";
 import { commitVariation, explore } from "../../web/src/features/exploring/exploring.ts";
 import { setTarget, shownPoint } from "../../web/src/state/editing.ts";
+import { openFile } from "../../web/src/state/files.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { lastRefusedPull } from "../../web/src/state/refused-pull.ts";
 import { largestShortfall } from "../../web/src/state/shortfall.ts";
 import { takeSnapshot } from "../../web/src/state/snapshots.ts";
-import { openedPage } from "./support/page-here.ts";
+import { openedPage, pageHere } from "./support/page-here.ts";
 
 const MIDDLE = 220;
 
@@ -58,6 +59,21 @@ it("each design is measured once and its types are counted once, the mesh's once
   await later();
   expect(count(asked, "measure")).toBe(3);
   expect(count(asked, "types")).toBe(4);
+  stop();
+});
+
+it("the largest panel has its area in square metres, whatever way it faces", async () => {
+  const page = pageHere();
+  const ROOF = "v 0 0 0\nv 2 0 1\nv 2 3 1\nv 0 3 0\nv 3 0 1\nv 3 3 1\nf 1 2 3 4\nf 2 5 6 3\n";
+  await openFile(page, new File([ROOF], "eaves.obj"));
+  page.unit.value = "cm";
+  await takeSnapshot(page);
+  await takeSnapshot(page);
+  chooseFirst(page);
+  const stop = followCompared(page);
+  await expect.poll(() => comparedFigures(page).value.size).toBe(2);
+  for (const { area } of comparedFigures(page).value.values())
+    expect(area).toBeCloseTo((3 * Math.hypot(2, 1)) / 100 ** 2, 8);
   stop();
 });
 
