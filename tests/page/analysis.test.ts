@@ -12,6 +12,7 @@ import {
   still,
   typeTarget,
 } from "../browser/support/page.ts";
+import { hintedPoint, press } from "../browser/support/view.ts";
 import { site } from "./support/site.ts";
 
 /** The cells of one column of the table Panels. */
@@ -91,6 +92,23 @@ it("names every figure that it colours by, with a legend in mm or mm/m and a his
   expect(await page.getByText(/0 panels out of flat, 196 flat/).count()).toBe(1);
   await choose("Panel health");
   await expect.poll(() => page.getByText(/^convex\s*196$/).count()).toBe(1);
+  await page.context().close();
+});
+
+it("the histogram of displacement counts what a drag moves before it is let go", async () => {
+  const page = await site.openVault();
+  await page.getByRole("combobox", { name: "Colour by" }).selectOption("Displacement");
+  const from = await hintedPoint(page);
+  await press(page, from, { x: from.x + 15, y: from.y - 15 });
+  const histogram = page.getByRole("img", { name: /^Histogram: / });
+  await expect
+    .poll(() => histogram.getAttribute("aria-label"))
+    .toMatch(/^Histogram: [1-9]\d* points move, \d+ untouched$/);
+  await page.mouse.up();
+  await idle(page);
+  expect(await histogram.getAttribute("aria-label")).toContain(
+    `${await movedCount(page)} points move`,
+  );
   await page.context().close();
 });
 
