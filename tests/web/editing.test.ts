@@ -57,6 +57,20 @@ it("keys of one burst are one step; another burst is another", async () => {
   ]);
 });
 
+it("an edit reaches as far as it has to, but as far as someone chose, also where that is furthest", async () => {
+  for (const [change, reach] of [
+    [{}, 3],
+    [{ softness: 5, reach: 6 }, 3],
+    [{ reach: 6 }, 6],
+    [{ softness: 4, reach: 4 }, 4],
+  ] as const) {
+    const page = await openedPage();
+    await commitSettings(page, change);
+    await lift(page, 0.05);
+    expect(page.draft.value?.settings.reach).toBe(reach);
+  }
+});
+
 it("a failure keeps the last design, and says why", async () => {
   let refuse = false;
   const page = await openedPage("roof", ({ kind, job }) =>
