@@ -3,14 +3,16 @@
 """Do the checks notice a fault? Draws mutations with a seed (a comparison turned, a statement dropped, two
 arguments swapped), makes one at a time in a copy of the tree and runs checks on it until one fails.
 
-    mutations.py web --count 40 --seed 1 lint types unit page browser
+    mutations.py web --count 40 --seed 1 browser
     mutations.py core --count 40 --seed 1 parity
 
 Prints a line for each: its number, what was changed, and what caught it; ends with the count. A mutation of
 the core is given to the compiler, then to the C++ tests, without sanitizers, the quickest first, each as long as
 the last `checks.py native sanitize` in this tree says, until one fails; only what they leave goes to the checks
-named. --tests 80 ends with the quickest that take so many seconds together, --only 3,17 goes on with these. The copy lies in
-build/mutations/ with a build of its own.
+named. --tests 80 ends with the quickest that take so many seconds together. One of the page is given to the
+linter and the type checker, then to the files of unit and page tests that reach its function (page_tests.py),
+the quickest first; only what they leave goes to the checks named. --only 3,17 goes on with these. The copy lies in build/mutations/ with a
+build of its own.
 """
 
 import argparse
@@ -21,6 +23,8 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
+
+import page_tests
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 COPY = TREE / "build/mutations/tree"
@@ -138,6 +142,21 @@ def caught_by_test(most):
     return None
 
 
+def column(old, new):
+    """Where two lines begin to differ; in a statement that is dropped, its start."""
+    if not new.strip():
+        return len(new)
+    return next(k for k in range(len(old)) if old[:k + 1] != new[:k + 1])
+
+
+def caught_on_page(tests, number, path):
+    """Not the formatter, which would notice any line that is gone."""
+    if said("node_modules/.bin/biome", "lint", path).returncode != 0:
+        return "lint"
+    types = said("node_modules/.bin/tsc", "-p", "web/tsconfig.json", "--incremental", "--tsBuildInfoFile", "build/types.json")
+    return "types" if types.returncode != 0 else tests.caught_by(number)
+
+
 def copied():
     """The last commit of this tree, elsewhere."""
     if not COPY.exists():
@@ -145,6 +164,22 @@ def copied():
         os.symlink(TREE / "node_modules", COPY / "node_modules")
     subprocess.run(["git", "fetch", "-q", "origin"], cwd=COPY, check=True)
     subprocess.run(["git", "reset", "-q", "--hard", "FETCH_HEAD"], cwd=COPY, check=True)
+
+
+def ready(asked, faults):
+    """What looks at a fault before the checks that are named, having passed without one."""
+    if asked.which == "core":
+        if not any(recorded_tests()):
+            sys.exit("mutations: run `checks.py native sanitize` first")
+        look, check = lambda number, path: caught_by_test(asked.tests), caught_by_test(asked.tests)
+    else:
+        places = [[number, str(path), line, at] for number, (path, line, at, *_) in faults.items()]
+        tests = page_tests.PageTests(COPY, TREE / "build/mutations/page", places)
+        look = lambda number, path: caught_on_page(tests, number, path)
+        check = caught_by(["build-native", "build-wasm"]) or tests.record()
+    if check := check or caught_by(asked.checks):
+        sys.exit(f"mutations: {check} fails without any")
+    return look
 
 
 def main():
@@ -157,30 +192,26 @@ def main():
     words.add_argument("checks", nargs="*")
     asked = words.parse_args()
     copied()
-
-    def caught():
-        return (caught_by_test(asked.tests) if asked.which == "core" else None) or caught_by(asked.checks)
-
-    if asked.which == "core" and not any(recorded_tests()):
-        sys.exit("mutations: run `checks.py native sanitize` first")
-    if check := caught():
-        sys.exit(f"mutations: {check} fails without any")
-    count = of = 0
+    faults = {}
     for place, (path, number, kind, new) in enumerate(drawn(asked.which, asked.count, asked.seed), 1):
+        old = (COPY / path).read_text(encoding="utf-8").splitlines()[number]
+        faults[place] = path, number, column(old, new), kind, old, new
+    look = ready(asked, faults)
+    count = of = 0
+    for place, (path, number, _, kind, old, new) in faults.items():
         if asked.only and place not in asked.only:
             continue
         file = COPY / path
         text = file.read_text(encoding="utf-8")
         lines = text.splitlines(keepends=True)
-        old = lines[number].strip()
         lines[number] = new + "\n"
         file.write_text("".join(lines), encoding="utf-8")
-        check = caught()
+        check = look(place, path) or caught_by(asked.checks)
         file.write_text(text, encoding="utf-8")
         count += check is not None
         of += 1
         changed = f" -> {new.strip()[:90]}" if new.strip() else ""
-        print(f"{place:3} {check or 'NOT CAUGHT'}: {kind} {path}:{number + 1}: {old[:90]}{changed}", flush=True)
+        print(f"{place:3} {check or 'NOT CAUGHT'}: {kind} {path}:{number + 1}: {old.strip()[:90]}{changed}", flush=True)
     print(f"{count} of {of} caught")
 
 
