@@ -6,24 +6,29 @@
                                       [--against RUN.json] [--only NAME,...] [--meshes DIR] [--processes N]
 
 The meshes of survey.py with larger quad samples, four seeded points each and a few known to be hard, moved
-by half an edge and by one along the normal. --keep stores a run; --against compares with one that was stored: an objective counts as lower or higher from 0.1 % on.
---meshes names the folder that the flat meshes are kept in, so that two binaries edit the same ones.
-Exits with 1 where a panel is newly spoilt, the boundary moves that is kept, or a result is not flat.
+by half an edge and by one along the normal. --keep stores a run; --against compares with one that was stored: an objective
+counts as lower or higher from 0.1 % on. "short" are the edits without a certificate whose handle stops more than 5 % of its
+way short; every edit without a certificate is listed, with what the report says is at its bound. --meshes names the folder that the flat meshes are kept in, so that two binaries edit the same ones.
+Exits with 1 where a panel is newly spoilt, the boundary moves that is kept, a point leaves its outline or enters its box, or a
+result is not flat.
 """
 
 import argparse
 import json
 import sys
 import tempfile
+import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import survey
 
-PAGE = "--reach 6 --softness 5 --keep-boundary"
+FREE = "--reach 6 --softness 5"
+PAGE = f"{FREE} --keep-boundary"
 MODES = {"weights": "", "page": PAGE, "fold": f"{PAGE} --bound fold=+8", "edge": f"{PAGE} --bound edge={{low}}:{{high}}",
          "area": f"{PAGE} --bound area={{area}}", "angle": f"{PAGE} --bound angle=60:120", "hard": f"{PAGE} --hard",
+         "box": f"{PAGE} --keep-out box={{box}} --clearance {{clearance}}", "outline": f"{FREE} --support outline:boundary",
          "wide": "--reach 12 --softness 8", "weighted": "--reach 6"}
 COUNTED = ("weights", "page", "fold", "edge")
 SAMPLES = {"vault": 32, "dome": 32, "freeform": 32, "hex": 14, "trihex": 12}
@@ -31,6 +36,8 @@ HARD = {"pq_gitter": (765,), "vault": (653,), "hex_sphere_two_openings": (5,), "
 LIFTS = (0.5, 1.0)
 SAME = 1e-3  # of the objective
 FLAT = 1e-6  # mm/m
+SHORT = 0.05  # of its way
+CLEARANCE, OFF = 0.05, 1e-9  # mean edges
 
 
 def flat_meshes(planish, folder, scratch, only):
@@ -57,16 +64,56 @@ def jobs_of(meshes, points):
     return jobs
 
 
+def box_ahead(job, start):
+    """As those of tests/support/obstacles.cpp: sides of 0.2 to 1 mean edge, a little ahead of the target."""
+    random = np.random.default_rng(zlib.crc32(f"{job['mesh']} {job['vertex']} {job['lift']}".encode()))
+    half = 0.5 * job["edge"] * random.uniform(0.2, 1.0, size=3)
+    move = np.array(job["move"])
+    middle = start + move * (1 + 0.6 * np.linalg.norm(half) / np.linalg.norm(move))
+    return [*(middle - half), *(middle + half)]
+
+
+def written(numbers):
+    return ",".join(repr(float(x)) for x in numbers)
+
+
+def words(job, start):
+    """What the options of a mode may name."""
+    edge = job["edge"]
+    return {"low": 0.8 * edge, "high": 1.2 * edge, "area": 1.2 * edge * edge, "clearance": CLEARANCE * edge,
+            "box": written(box_ahead(job, start))}
+
+
+def off_lines(points, starts, ends):
+    """How far each point is from the nearest of the lines."""
+    along = ends - starts
+    share = np.einsum("plc,lc->pl", points[:, None] - starts, along) / np.einsum("lc,lc->l", along, along)
+    feet = starts + np.clip(share, 0, 1)[..., None] * along
+    return np.linalg.norm(points[:, None] - feet, axis=2).min(axis=1)
+
+
+def outside(options, box, topology, before, after, edge):
+    """Points that went where the options let none go."""
+    count = 0
+    if "box=" in options:
+        low, high = np.array(box[:3]), np.array(box[3:])
+        inside = [np.all((low < p) & (p < high), axis=1) for p in (before, after)]
+        count += int((inside[1] & ~inside[0]).sum())
+    if "outline:boundary" in options and topology.boundary:
+        sides = np.array(topology.outer)
+        off = off_lines(after[topology.boundary], before[sides[:, 0]], before[sides[:, 1]])
+        count += int((off > OFF * edge).sum())
+    return count
+
+
 def edit(planish, meshes, job, options, scratch, topologies):
     path = meshes[job["mesh"]]
+    before, faces = survey.read_obj(path)
+    options = options.format(**words(job, before[job["vertex"]]))
     stem = f"{job['mesh']}-{job['vertex']}-{job['lift']}-{abs(hash(options)) % 9973}"
     out, report = scratch / f"{stem}.out.obj", scratch / f"{stem}.json"
-    move = ",".join(repr(x) for x in job["move"])
-    edge = job["edge"]
-    options = options.format(low=0.8 * edge, high=1.2 * edge, area=1.2 * edge * edge)
-    survey.run(planish, ["edit", path, "--handle", f"{job['vertex']}+={move}", *options.split(),
+    survey.run(planish, ["edit", path, "--handle", f"{job['vertex']}+={written(job['move'])}", *options.split(),
                          "-o", out, "--report", report])
-    before, faces = survey.read_obj(path)
     after, _ = survey.read_obj(out)
     result = json.loads(report.read_text())
     out.unlink()
@@ -79,8 +126,14 @@ def edit(planish, meshes, job, options, scratch, topologies):
             "factorizations": result["factorizations"], "objective": result["objective"]["total"],
             "spoilt": sum(survey.damage(before[f], after[f]) is not None for f in faces if moved[f].any()),
             "boundary": int(moved[kept].sum()),
+            "outside": outside(options, box_ahead(job, before[job["vertex"]]), topology, before, after, job["edge"]),
+            "bound": {b["name"]: len(b["binding"]) for b in result.get("bounds", []) if b["binding"]},
             "planarity": result["planarity_mm_per_m"]["after_max"], "seconds": result["seconds"]["solve"],
             "short": float(np.linalg.norm(after[job["vertex"]] - target) / np.linalg.norm(job["move"]))}
+
+
+def certified(row):
+    return row["status"] == "converged"
 
 
 def key(row):
@@ -91,8 +144,10 @@ def summarise(rows, stored):
     counts = [row["factorizations"] for row in rows]
     summary = {"edits": len(rows), "sum": sum(counts),
                **{f"p{p}": round(survey.percentile(counts, p), 1) for p in (50, 90, 95, 100)},
-               "converged": round(100 * np.mean([row["status"] == "converged" for row in rows]), 1),
+               "converged": round(100 * np.mean([certified(row) for row in rows]), 1),
+               "short": sum(row["short"] > SHORT and not certified(row) for row in rows),
                "spoilt": sum(row["spoilt"] for row in rows), "boundary": sum(row["boundary"] for row in rows),
+               "outside": sum(row["outside"] for row in rows),
                "not flat": sum(row["planarity"] > FLAT for row in rows),
                "seconds": round(sum(row["seconds"] for row in rows), 2)}
     pairs = [(row["objective"], stored[key(row)]["objective"]) for row in rows if key(row) in stored]
@@ -108,10 +163,12 @@ def tell(mode, rows, stored, listed):
     worst = sorted(rows, key=lambda row: -row["factorizations"])[:listed]
     other = [row for row in rows if row not in worst and listed > 0 and key(row) in stored
              and abs(row["objective"] / max(stored[key(row)]["objective"], 1e-300) - 1) > SAME]
-    for row in worst + other:
+    open_ones = [row for row in rows if not certified(row) and row not in worst + other]
+    for row in worst + other + open_ones:
         then = stored.get(key(row))
         was = f"   was {then['factorizations']:5d} {then['objective']:.6g} {then['status']}" if then else ""
-        print(f"  {key(row):44s} {row['factorizations']:5d} {row['objective']:.6g} {row['status']}{was}")
+        left = "" if certified(row) else f", {row['short']:.3f} short, at its bound {row['bound'] or 'nothing'}"
+        print(f"  {key(row):44s} {row['factorizations']:5d} {row['objective']:.6g} {row['status']}{left}{was}")
 
 
 def main():
@@ -145,7 +202,8 @@ def main():
             tell(mode, rows, stored.get(mode, {}), options.listed)
     if options.keep:
         options.keep.write_text(json.dumps(runs))
-    if any(row["spoilt"] or row["boundary"] or row["planarity"] > FLAT for run in runs.values() for row in run.values()):
+    if any(row["spoilt"] or row["boundary"] or row["outside"] or row["planarity"] > FLAT
+           for run in runs.values() for row in run.values()):
         sys.exit(1)
 
 

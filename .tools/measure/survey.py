@@ -124,7 +124,8 @@ class Topology:
                 w = face[(k + 1) % len(face)]
                 sides.setdefault((min(v, w), max(v, w)), []).append((f, v < w))
         self.inner = [(a, b) for a, b in (s for s in sides.values() if len(s) == 2)]
-        self.boundary = sorted({v for edge, s in sides.items() if len(s) == 1 for v in edge})
+        self.outer = [edge for edge, s in sides.items() if len(s) == 1]
+        self.boundary = sorted({v for edge in self.outer for v in edge})
 
     def folds(self, points):
         """Degrees between the normals of neighbouring panels, both of which have one."""
