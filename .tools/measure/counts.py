@@ -8,9 +8,9 @@
 The meshes of survey.py with larger quad samples, four seeded points each and a few known to be hard, moved
 by half an edge and by one along the normal. --keep stores a run; --against compares with one that was stored: an objective
 counts as lower or higher from 0.1 % on. "short" are the edits without a certificate whose handle stops more than 5 % of its
-way short; every edit without a certificate is listed, with what the report says is at its bound. --meshes names the folder that the flat meshes are kept in, so that two binaries edit the same ones.
-Exits with 1 where a panel is newly spoilt, the boundary moves that is kept, a point leaves its outline or enters its box, or a
-result is not flat.
+way short; every edit without a certificate is listed, with what the report says is at its bound. --meshes names the folder
+that the flat meshes are kept in, so that two binaries edit the same ones. Exits with 1 where a panel is newly spoilt, the
+boundary moves that is kept, a point leaves its outline or enters its box, or a result is not flat.
 """
 
 import argparse
