@@ -19,6 +19,7 @@ import {
   arrives,
   between,
   isBound,
+  isStuck,
   keepsOwn,
   lags,
   longestWay,
@@ -65,7 +66,9 @@ interface LastFrame {
   readonly arrives: boolean;
   /** Panels are at a limit. */
   readonly bound: boolean;
-  /** The handles asked for, or where they were held back to. */
+  /** No limit holds the handles back: panels hardly follow, and more frames would not tell. */
+  readonly behind: boolean;
+  /** The handles asked for, or where they were held back to, or stayed behind. */
   readonly shown: HandleList;
 }
 
@@ -252,17 +255,22 @@ export class Edits {
       if (keepsOwn(limit, this.#session.shapeReport())) return { taken: null, found: [], reach };
     }
     this.#setOptions(bounded(settings, limit));
-    if (last && !last.arrives && this.#comesTo(limit, request, last.shown))
+    if (last && !last.arrives && this.#comesTo(limit, request, last))
       return { taken: last.shown, found, reach };
     return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), found, reach };
   }
 
-  /** Whether an edit of handles that a drag showed meets them; they are ahead of where it began. */
-  #comesTo(limit: PullLimit, request: EditRequest, shown: HandleList): boolean {
+  /** Whether an edit of handles that a drag showed meets them, or comes as near as the drag, or as far as
+   * panels follow; they are ahead of where it began. */
+  #comesTo(limit: PullLimit, request: EditRequest, { shown, behind }: LastFrame): boolean {
     const length = longestWay(limit.from, shown);
     if (length === 0) return false;
+    const short = longestWay(this.#placesOf(shown, limit.base), shown);
     this.#attempt(request, shown, "solve");
-    return arrivalOf(limit, shown, this.#session.shapeReport(), length).over <= 0;
+    const report = this.#session.shapeReport();
+    if (isStuck(report)) return false;
+    const meets = arrivalOf(limit, shown, report, length).over <= 0;
+    return meets || behind || report.handleError <= short;
   }
 
   /** How a drag ended, which its own last frame need not have shown; null without a drag. */
@@ -274,10 +282,31 @@ export class Edits {
     this.#forgetDrag();
     if (!dragged) return null;
     // Whoever lets go there has seen how far it goes, be it for want of time.
-    if (heldBack) return { arrives: false, bound: true, shown };
-    this.#attempt({ ...request, budget: FRAME_SECONDS }, handles, "drag");
+    const behind = lags(limit, shown, this.#session.shapeReport());
+    if (heldBack && behind) return this.#leftBehind(limit, handles, true);
+    if (heldBack) return { arrives: false, bound: true, behind, shown };
+    this.#follow(limit, { ...request, budget: FRAME_SECONDS }, handles);
     const report = this.#session.shapeReport();
-    return { arrives: arrives(limit, handles, report), bound: isBound(report), shown };
+    const bound = isBound(report);
+    if (lags(limit, handles, report)) return this.#leftBehind(limit, handles, bound);
+    return { arrives: arrives(limit, handles, report), bound, behind: false, shown };
+  }
+
+  /** What is shown is all that panels follow. */
+  #leftBehind(limit: PullLimit, handles: HandleList, bound: boolean): LastFrame {
+    return { arrives: false, bound, behind: true, shown: this.#placesOf(handles, limit.base) };
+  }
+
+  /** Where the shape that is shown has the handles. */
+  #placesOf(handles: HandleList, base: HandleList): HandleList {
+    const [moved, positions] = [this.#session.moved(), this.#session.movedPositions()];
+    const places = [...handles];
+    for (let k = 0; k < places.length; k += 4) {
+      const place = moved.indexOf(places[k] ?? -1);
+      for (const axis of [0, 1, 2])
+        places[k + 1 + axis] = (place < 0 ? base[k + 1 + axis] : positions[3 * place + axis]) ?? 0;
+    }
+    return places;
   }
 
   /** null where the handles meet what they are asked to. */
