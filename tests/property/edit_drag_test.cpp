@@ -89,6 +89,33 @@ TEST_P(DragOn, ReleaseDoesNotDependOnThePath) {
   EXPECT_TRUE(testing::same_bits(first, alone));
 }
 
+/// As a drag's reach grows, and its end is solved without and with the limit of its frames: what
+/// the solver keeps for options that come back must not show.
+TEST_P(DragOn, OptionsThatComeBackGiveTheBitsOfANewSolver) {
+  const std::vector<StatedLimit> folds = {{.name = "fold", .most = 10.0, .relative = true}};
+  const std::vector<StatedLimit> sharper = {{.name = "fold", .most = 20.0, .relative = true}};
+  std::vector<HandleEditOptions> all(9, {.reach = 3, .keep_boundary = true, .softness = 3.0});
+  all[1].bounds = folds;
+  all[2].reach = 2;
+  all[3].bounds = sharper;
+  all[4].bounds = folds;
+  all[4].keep_boundary = false;
+  all[5].bounds = folds;
+  all[5].keep_outs = {*parse_keep_out("below=-9")};
+  all[6].bounds = folds;
+  all[7] = {};
+  all[8].fairness = FairnessKind::kSecondDifference;
+  HandleEditSolver solver(mesh, {});
+  for (const HandleEditOptions& options : all) {
+    SCOPED_TRACE(&options - all.data());
+    solver.set_options(options);
+    (void)solver.drag(at(0.2), kAmpleSeconds);
+    const Positions here = apply(mesh, solver.solve(at(0.3)));
+    const Positions alone = apply(mesh, solve_handle_edit(mesh, at(0.3), options));
+    EXPECT_TRUE(testing::same_bits(here, alone));
+  }
+}
+
 /// The budget is spent before the first step: what comes back is exact all the same.
 TEST_P(DragOn, NoTimeAtAllStillGivesAnExactDesign) {
   HandleEditSolver solver(mesh, {});

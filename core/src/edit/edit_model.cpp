@@ -31,13 +31,14 @@ EditModel::EditModel(const Mesh& mesh, const HandleEditOptions& options)
   const Stopwatch watch;
   model_ = std::make_unique<MeshModel>(mesh, options.fairness, kept_);
   base_ = std::make_unique<BaseViolations>(*model_);
+  make_tools();
   rebuild();
   setup_seconds_ = watch.seconds();
 }
 
 EditModel::~EditModel() = default;
 
-void EditModel::set_options(const HandleEditOptions& options) {
+bool EditModel::set_options(const HandleEditOptions& options) {
   const KeptKinds kept = kept_kinds(options);
   const bool same_kinds = kept.same_kinds(kept_);
   const bool same_model = same_kinds && options.fairness == options_.fairness;
@@ -46,33 +47,49 @@ void EditModel::set_options(const HandleEditOptions& options) {
   if (!same_model) {
     const Mesh mesh = std::move(model_->mesh);
     model_ = std::make_unique<MeshModel>(mesh, options.fairness, kept_);
+    make_tools();
   }
   if (!same_kinds) base_ = std::make_unique<BaseViolations>(*model_);
   rebuild();
+  return !same_model;
 }
 
-/// What depends on the options: the terms, the limits and the marks for the fairness rows.
-void EditModel::rebuild() {
+/// What depends on the mesh's model alone, with marks for each of its vertices and rows.
+void EditModel::make_tools() {
   finish_ = std::make_unique<ExactFinish>(*model_);
   cutter_ = std::make_unique<PatchCutter>(*model_);
+  terms_ = std::make_unique<EditTerms>(*model_);
+  limits_.reset();
+}
+
+/// What depends on the options: the terms and the limits.
+void EditModel::rebuild() {
+  std::vector<VertexTerm> terms = std::move(problem_.terms);
   problem_ = {};
   problem_.model = model_.get();
-  terms_ = std::make_unique<EditTerms>(*model_);
+  problem_.terms = std::move(terms);
   terms_->fill(options_, problem_);
   state_limits();
   ++revision_;
 }
 
-/// The rows of the stated limits and the keep-outs, and a verdict that knows them.
+LimitBase EditModel::limit_base() const {
+  return {model_->mesh, model_->adjacency, model_->points, model_->unit()};
+}
+
+/// The rows of the stated limits and the keep-outs, and a verdict that knows them. Rows of limits
+/// alone never change: those that were stated last wait until they are stated again, since the end
+/// of a drag is solved without and with the limit that its frames had.
 void EditModel::state_limits() {
-  limits_.reset();
-  if (!options_.bounds.empty() || !options_.keep_outs.empty()) {
-    limits_ = std::make_unique<MeshLimits>(
-        LimitBase{model_->mesh, model_->adjacency, model_->points, model_->unit()},
-        options_.bounds);
+  const bool has_keep_outs = !options_.keep_outs.empty();
+  const bool has_limits = has_keep_outs || !options_.bounds.empty();
+  const bool waits = limits_ && !limits_->keep_outs() && bounds_ == options_.bounds;
+  if (has_limits && !waits) {
+    limits_ = std::make_unique<MeshLimits>(limit_base(), options_.bounds);
+    bounds_ = options_.bounds;
   }
-  problem_.limits = limits_.get();
-  if (!options_.keep_outs.empty()) return keep_out();
+  problem_.limits = has_limits ? limits_.get() : nullptr;
+  if (has_keep_outs) return keep_out();
   make_slides();
   make_verdict();
 }
@@ -80,7 +97,7 @@ void EditModel::state_limits() {
 void EditModel::keep_out() { keep_out(free_space(options_.keep_outs, options_.clearance)); }
 
 void EditModel::keep_out(const FreeSpace& free) {
-  limits_->keep_out({model_->mesh, model_->adjacency, model_->points, model_->unit()}, free);
+  limits_->keep_out(limit_base(), free);
   make_slides();
   make_verdict();
 }
@@ -132,7 +149,7 @@ void EditModel::make_verdict() {
   verdict_ = std::make_unique<EditVerdict>(
       *model_, *base_, kept_,
       EditBounds{
-          .keep_shape = options_.keep_shape, .limits = limits_.get(), .slides = slides_.get()});
+          .keep_shape = options_.keep_shape, .limits = problem_.limits, .slides = slides_.get()});
 }
 
 void EditModel::set_targets(const EditTargets& targets) {
@@ -154,7 +171,7 @@ void EditModel::pose(const EditTargets& targets, const HandleEditOptions& option
 }
 
 bool EditModel::is_beside_keep_outs() const {
-  const MeshKeepOuts* const keep_outs = limits_ ? limits_->keep_outs() : nullptr;
+  const MeshKeepOuts* const keep_outs = has_limits() ? limits_->keep_outs() : nullptr;
   return keep_outs != nullptr && keep_outs->has_rows();
 }
 

@@ -28,7 +28,9 @@ class EditModel {
   EditModel(const EditModel&) = delete;
   EditModel& operator=(const EditModel&) = delete;
 
-  void set_options(const HandleEditOptions& options);
+  /// Costs O(n) where the kinds, the fairness or the limits are others.
+  /// @returns whether mesh_model() is another one
+  bool set_options(const HandleEditOptions& options);
   void set_targets(const EditTargets& targets);
   /// Takes other keep-outs than the options': for the images of a symmetry.
   void keep_out(const FreeSpace& free);
@@ -51,7 +53,7 @@ class EditModel {
   void pose(const EditTargets& targets, const HandleEditOptions& options);
 
   /// Whether limits are stated or keep-outs are there.
-  [[nodiscard]] bool has_limits() const { return limits_ != nullptr; }
+  [[nodiscard]] bool has_limits() const { return problem_.limits != nullptr; }
   /// Whether a jump to the targets may end beyond a barrier, where a path does not.
   [[nodiscard]] bool is_bounded() const { return options_.keep_shape || has_limits(); }
   /// Whether the barrier of keep-outs acts.
@@ -74,7 +76,9 @@ class EditModel {
   [[nodiscard]] HandleEditResult result_of(const ExactDesign& design, SolveReport report);
 
  private:
+  void make_tools();
   void rebuild();
+  [[nodiscard]] LimitBase limit_base() const;
   void set_supports(const std::vector<PointSupport>& supports);
   void state_limits();
   void make_slides();
@@ -85,7 +89,8 @@ class EditModel {
   KeptKinds kept_;  ///< by the options
   std::unique_ptr<MeshModel> model_;
   std::unique_ptr<BaseViolations> base_;
-  std::unique_ptr<MeshLimits> limits_;  ///< null: none are stated
+  std::unique_ptr<MeshLimits> limits_;  ///< those stated last; the problem's, where any are now
+  std::vector<StatedLimit> bounds_;     ///< of `limits_`
   std::unique_ptr<EditVerdict> verdict_;
   std::vector<PointSupport> supports_;    ///< of `slides_`
   std::unique_ptr<VertexSlides> slides_;  ///< null: no supports, nothing rests on a keep-out

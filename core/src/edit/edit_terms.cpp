@@ -2,6 +2,7 @@
 #include "edit/edit_terms.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "planish/numeric/index.hpp"
 
@@ -34,13 +35,15 @@ VertexTerm default_term(int vertex, const VertexTerm& rest, const HandleEditOpti
 void EditTerms::fill(const HandleEditOptions& options, EditProblem& problem) {
   rest_ = free_term(options, edit_weights(options, 0.0, problem.model->unit()));
   problem.seeks_support = rest_.norm_weight > 0.0;
+  problem.shape_weight = options.keep_shape ? kShapeWeight : 0.0;
+  problem.limits_straight_corners = options.keep_shape;
+  const bool were_fixed = std::exchange(all_fixed_, has_reach(options));
+  if (were_fixed && all_fixed_) return;
   const int count = problem.model->vertex_count();
   problem.terms.resize(at(count));
   for (int v = 0; v < count; ++v) {
     problem.terms[at(v)] = default_term(v, rest_, options, *problem.model);
   }
-  problem.shape_weight = options.keep_shape ? kShapeWeight : 0.0;
-  problem.limits_straight_corners = options.keep_shape;
   overridden_.clear();
 }
 

@@ -20,7 +20,8 @@ class EditTerms {
  public:
   explicit EditTerms(const MeshModel& model) : reach_(model.mesh, model.adjacency) {}
 
-  /// Every vertex its default. `problem.model` is set.
+  /// Every vertex its default; `problem.model` is set, and `problem.terms` as the last fill() and
+  /// assign() left them. Within a reach every default is the same: other options cost nothing O(n).
   void fill(const HandleEditOptions& options, EditProblem& problem);
 
   /// The handles and pins of `targets` and no others; `problem.handles` ascending.
@@ -37,6 +38,7 @@ class EditTerms {
 
   EditReach reach_;
   VertexTerm rest_;                              ///< of what may move and is no handle
+  bool all_fixed_ = false;                       ///< every default is: there is a reach
   std::vector<PointSupport> supports_;           ///< of `springs_`
   std::vector<std::pair<int, double>> springs_;  ///< vertices and their stiffness
   std::vector<int> overridden_;                  ///< vertices whose term is not the default

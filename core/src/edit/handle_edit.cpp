@@ -35,8 +35,7 @@ class HandleEditSolver::State {
   State(const Mesh& mesh, const HandleEditOptions& options) : model_(mesh, options) { rebuild(); }
 
   void set_options(const HandleEditOptions& options) {
-    model_.set_options(options);
-    rebuild();
+    if (model_.set_options(options)) rebuild();
   }
 
   HandleEditResult solve(const EditTargets& targets, const Progress& progress) {

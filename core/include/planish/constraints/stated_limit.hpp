@@ -19,6 +19,8 @@ struct StatedLimit {
   double least = 0.0;     ///< of a range; the shorter side of a sheet; 0 where a limit has none
   double most = 0.0;      ///< > 0; degrees, model units or their square
   bool relative = false;  ///< `most` is what may be added to the base's own value
+
+  friend bool operator==(const StatedLimit&, const StatedLimit&) = default;
 };
 
 /// The first rule that `limits` break, naming the limit; nullopt if none.
