@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-import { expect, it } from "vitest";
+import { describe, expect, it } from "vitest";
+import { onChanges } from "../../web/src/state/connection.ts";
 import { beginDrag, heldWords, toggleLock, togglePins } from "../../web/src/state/dragging.ts";
 import { setPinned } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { selectThese } from "../../web/src/state/selection.ts";
+import { lastSettling, wentOn } from "../../web/src/state/settling.ts";
+import { cancel } from "../../web/src/state/showing.ts";
 import { moveInFrame, moveTogether } from "../../web/src/state/typed-moves.ts";
 import { openedPage } from "./support/page-here.ts";
 
@@ -78,6 +81,88 @@ it("is held back before folds sharpen, says so, and Shift goes through", async (
   await through?.end();
   const after = page.history.value?.present.report.sharpestFold;
   expect((after?.after ?? 0) - (after?.before ?? 0)).toBeGreaterThan(10);
+});
+
+describe("the end of a drag", () => {
+  /** A page with a drag that has frames, and what it is as the release comes to the solver. */
+  async function letGo(sample: string, up: number) {
+    const last = new Map<number, readonly number[]>();
+    const seen = { atRelease: null as null | object, last, frames: 0 };
+    let page: Page | null = null;
+    const now = (from: Page) => ({
+      steps: from.history.value?.past.length,
+      recorded: from.history.value?.present.shape.moved.length,
+      says: from.activity.value?.label,
+      frame: new Map(seen.last),
+    });
+    page = await openedPage(sample, (request) => {
+      if (request.kind === "edit" && request.mode === "release" && page && !seen.atRelease)
+        seen.atRelease = now(page);
+      return null;
+    });
+    onChanges(page, (changes) => {
+      seen.frames += 1;
+      for (let k = 0; k < changes.length; k += 4)
+        seen.last.set(changes[k] ?? -1, [...changes.subarray(k + 1, k + 4)]);
+    });
+    const drag = beginDrag(page, [MIDDLE]);
+    for (let k = 1; k <= 4; ++k) {
+      drag?.by([0, 0, (up * k) / 4]);
+      await expect.poll(() => seen.frames).toBe(k);
+    }
+    return { page, drag, seen, frame: new Map(seen.last) };
+  }
+
+  it("keeps the last frame in view until the design is there, and records nothing before", async () => {
+    const { page, drag, seen, frame } = await letGo("roof", 0.3);
+    const ended = drag?.end();
+    expect(seen.last).toEqual(frame);
+    await ended;
+    expect(seen.atRelease).toEqual({ steps: 0, recorded: 0, says: "computing", frame });
+    expect(page.history.value?.past.length).toBe(1);
+    expect(page.history.value?.present.report.status).toBe("converged");
+  });
+
+  it("can be cancelled: the design is the one before, and is shown again", async () => {
+    const { page, drag } = await letGo("roof", 0.3);
+    const before = page.history.value;
+    void drag?.end();
+    cancel(page);
+    await expect.poll(() => page.activity.value).toBeNull();
+    await expect.poll(() => page.figures.value.movedVertices).toBe(0);
+    expect(page.history.value).toBe(before);
+  });
+
+  it("may be followed by another drag at once, which keeps to what it settled to", async () => {
+    const { page, drag, seen } = await letGo("roof", 3);
+    const first = drag?.end();
+    await expect.poll(() => seen.atRelease).not.toBeNull();
+    const other = beginDrag(page, [MIDDLE + 42]);
+    other?.by([0, 0, 0.1]);
+    await frames();
+    await first;
+    const settled = page.history.value?.present.handles[0];
+    expect(page.notice.value).toMatch(/^Held back: /);
+    await other?.end();
+    expect(page.history.value?.past.length).toBe(2);
+    expect(page.history.value?.present.handles[0]).toEqual(settled);
+  });
+
+  it("notes how far points went on from the last frame, which is little where nothing held it back", async () => {
+    const { page, drag, seen, frame } = await letGo("roof", 0.3);
+    await drag?.end();
+    const { scale } = page.mesh.value?.report ?? { scale: Number.NaN };
+    const apart = [...seen.last].map(([vertex, place]) => {
+      const before = frame.get(vertex) ?? page.mesh.value?.display.subarray(3 * vertex) ?? [];
+      return Math.hypot(...place.map((x, k) => x - (before[k] ?? 0))) / scale;
+    });
+    const last = lastSettling(page).value;
+    expect(last?.design).toBe(page.history.value?.present);
+    expect(last?.most).toBeCloseTo(Math.max(...apart), 5);
+    expect(last?.pull).toBeCloseTo(0.3, 12);
+    expect(last && wentOn(last)).toBe(false);
+    expect(last && wentOn({ ...last, most: 0.004 })).toBe(true);
+  });
 });
 
 it("pinned points are not dragged, and a mesh that is not ready is not either", async () => {

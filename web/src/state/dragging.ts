@@ -12,7 +12,7 @@ import {
   withTaken,
 } from "../design/design.ts";
 import { type Frame, pointFrame } from "../mesh/point-frame.ts";
-import { add } from "../mesh/vector.ts";
+import { add, type Vector } from "../mesh/vector.ts";
 import { boundNames } from "../solver/bounds.ts";
 import type { Question } from "../solver/client.ts";
 import { foldGrowth, isFound, stepOf } from "../solver/found-limits.ts";
@@ -34,10 +34,12 @@ import {
 import { moveWeights } from "./fall-off.ts";
 import { formatDegrees } from "./fold.ts";
 import { shownTab } from "./inspector.ts";
+import { movesShown } from "./moves.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
 import { reachesFor } from "./reach-choice.ts";
 import { growthOf, lastRefusedPull } from "./refused-pull.ts";
+import { lastSettling } from "./settling.ts";
 import { showPresent } from "./showing.ts";
 
 /** Where a drag of a point starts: at its target, unless a variation has taken the point away from
@@ -166,6 +168,7 @@ export class Drag {
     this.#limit = pullLimit(page, settings, this.#grips);
     this.#reaches = page.draft.value ? reachesFor(page, page.draft.value) : [];
     page.pull.value = { vertex: this.#grips.at(-1)?.vertex ?? -1, typed: "" };
+    movesShown(page); // They follow the frames from here on.
   }
 
   /** `through` the limit on folds. */
@@ -268,15 +271,33 @@ export class Drag {
     client(this.#page).dropStreams();
   }
 
+  /** What was asked for, with the other handles as the design has them now: another drag may have settled since. */
+  #askedOf({ handles }: Design): readonly HandleRow[] {
+    const settled = new Map(handles.map((row) => [row.vertex, row] as const));
+    for (const { vertex } of this.#grips) settled.delete(vertex);
+    return this.#asked.map((row) => settled.get(row.vertex) ?? row);
+  }
+
+  #noteSettling(design: Design, shown: ReadonlyMap<number, Vector>): void {
+    const most = movesShown(this.#page)?.farthestFrom(shown) ?? 0;
+    const pull = longestWay(this.#page, this.#asked);
+    lastSettling(this.#page).value = { design, most, pull };
+  }
+
+  /** What the last frame showed stays in view until the design is there that takes its place; nothing of it is
+   * recorded before. */
   end(): Outcome {
     this.#finish();
     return enqueue(this.#page, async () => {
       const { value } = this.#page.draft;
-      if (!value || value === this.#page.history.value?.present) return;
-      const design = { ...value, handles: this.#asked };
+      const present = this.#page.history.value?.present;
+      if (!value || !present || value === present) return;
+      const design = { ...value, handles: this.#askedOf(present) };
       const limit = this.#limitFor(this.#through);
       const tried = { limit, reaches: this.#reaches };
+      const shown = movesShown(this.#page)?.ways;
       const made = await commitEdit(this.#page, design, "release", null, tried);
+      if (made?.ok && shown) this.#noteSettling(made.value, shown);
       this.#letGo();
       if (!made?.ok || made.value.handles === design.handles) return made;
       this.#sayHeld(true);

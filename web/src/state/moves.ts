@@ -4,7 +4,7 @@
 
 import { type Signal, signal } from "@preact/signals";
 import { type Motion, OldSurface } from "../mesh/old-surface.ts";
-import { add, type Vector } from "../mesh/vector.ts";
+import { add, minus, type Vector } from "../mesh/vector.ts";
 import type { OpenedMesh, Shape } from "../solver/protocol.ts";
 import { onChanges } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
@@ -49,6 +49,21 @@ export class Moves {
   motionOf(vertex: number): Motion {
     const place: Vector = [this.#base(vertex, 0), this.#base(vertex, 1), this.#base(vertex, 2)];
     return this.#oldSurface.motion(vertex, add(place, this.#ways.get(vertex) ?? [0, 0, 0]));
+  }
+
+  /** Of every point that moved, from its base; a copy. */
+  get ways(): ReadonlyMap<number, Vector> {
+    return new Map(this.#ways);
+  }
+
+  /** How far points are from where `ways` had them, at most; model units. */
+  farthestFrom(ways: ReadonlyMap<number, Vector>): number {
+    const moved = new Set([...ways.keys(), ...this.#ways.keys()]);
+    const still: Vector = [0, 0, 0];
+    return [...moved].reduce((most, v) => {
+      const apart = minus(this.#ways.get(v) ?? still, ways.get(v) ?? still);
+      return Math.max(most, Math.hypot(...apart));
+    }, 0);
   }
 
   /** The value at the ends of the legend, model units; 0 where nothing moved. */

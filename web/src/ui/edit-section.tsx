@@ -19,6 +19,10 @@ const PlanariseStep = later(() =>
   import("../features/planarising/planarise-step.tsx").then((part) => part.PlanariseStep),
 );
 
+const SettledNote = later(() =>
+  import("../features/stopping/settled-note.tsx").then((part) => part.SettledNote),
+);
+
 const StoppedNote = later(() =>
   import("../features/stopping/stopped-note.tsx").then((part) => part.StoppedNote),
 );
@@ -80,6 +84,7 @@ export function EditSection() {
       <NotFlatNote />
       <HandlesTable />
       <StoppedNote />
+      <SettledNote />
       <NextSteps />
       <ReachAndSoftness />
       <Rules />
