@@ -7,12 +7,10 @@
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { createServer, runnerImport } from "vite";
+import { join } from "node:path";
+import { loadCore, loadSources } from "./page-sources.mjs";
 
 const CLI = "build/native/planish";
-const WASM = resolve("build/wasm/wasm");
 const SAMPLES = ["roof", "vault", "dome", "freeform"];
 const FILES = [
   "pq_static_roof",
@@ -167,29 +165,9 @@ function flatMeshes(folder, scratch) {
   return [...samples, ...files];
 }
 
-/** The page's own files, asked without a page. */
-async function loadPage(names) {
-  const { module } = await runnerImport(resolve("web/core-defaults.ts"));
-  const server = await createServer({
-    root: process.cwd(),
-    configFile: false,
-    logLevel: "error",
-    resolve: { alias: { "@wasm": WASM } },
-    plugins: [module.coreDefaults(`${WASM}/`, (url) => import(url))],
-    server: { middlewareMode: true, watch: null },
-    optimizeDeps: { noDiscovery: true },
-  });
-  try {
-    return await Promise.all(names.map((name) => server.ssrLoadModule(name)));
-  } finally {
-    await server.close();
-  }
-}
-
 async function loadBench() {
-  const { default: create } = await import(pathToFileURL(join(WASM, "planish.mjs")).href);
-  const module = await create({ wasmBinary: readFileSync(join(WASM, "planish.wasm")) });
-  const [{ Edits }, { FIRST_SETTINGS }] = await loadPage([
+  const module = await loadCore();
+  const [{ Edits }, { FIRST_SETTINGS }] = await loadSources([
     "/web/src/solver/edits.ts",
     "/web/src/design/design.ts",
   ]);
