@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 import { describe, expect, it } from "vitest";
+import { settledWords } from "../../web/src/features/stopping/settled-words.ts";
 import { onChanges } from "../../web/src/state/connection.ts";
 import { beginDrag, heldWords, toggleLock, togglePins } from "../../web/src/state/dragging.ts";
 import { setPinned } from "../../web/src/state/editing.ts";
 import type { Page } from "../../web/src/state/page.ts";
 import { selectThese } from "../../web/src/state/selection.ts";
-import { lastSettling, wentOn } from "../../web/src/state/settling.ts";
+import { lastSettling } from "../../web/src/state/settling.ts";
 import { cancel } from "../../web/src/state/showing.ts";
 import { moveInFrame, moveTogether } from "../../web/src/state/typed-moves.ts";
 import { openedPage } from "./support/page-here.ts";
@@ -160,8 +161,10 @@ describe("the end of a drag", () => {
     expect(last?.design).toBe(page.history.value?.present);
     expect(last?.most).toBeCloseTo(Math.max(...apart), 5);
     expect(last?.pull).toBeCloseTo(0.3, 12);
-    expect(last && wentOn(last)).toBe(false);
-    expect(last && wentOn({ ...last, most: 0.004 })).toBe(true);
+    expect(last && settledWords(last, "m")).toBeNull();
+    expect(last && settledWords({ ...last, most: 0.004 }, "m")).toBe(
+      "As it settled, points moved by up to 4.0 mm.",
+    );
   });
 });
 

@@ -14,9 +14,3 @@ export interface Settling {
 
 /** Of the last drag that ended. */
 export const lastSettling = kept(() => signal<Settling | null>(null));
-
-/** Of the pull: what a drag may end by otherwise than its last frame, and nobody sees it. */
-const AS_SHOWN = 0.01;
-
-/** Whether the shape went on by more than is seen. */
-export const wentOn = ({ most, pull }: Settling): boolean => most > AS_SHOWN * pull;

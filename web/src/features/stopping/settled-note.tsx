@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-import { formatLength } from "../../quantity/units.ts";
-import { lastSettling, wentOn } from "../../state/settling.ts";
+import { lastSettling } from "../../state/settling.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { settledWords } from "./settled-words.ts";
 
-/** What the end of a drag changed in the shape that its last frame showed; nothing where it is the same. */
+/** Below the handles: whether the design is what the drag that it comes from showed last. */
 export function SettledNote() {
   const page = usePage();
   const last = lastSettling(page).value;
-  if (!last || last.design !== page.history.value?.present || !wentOn(last)) return null;
-  const most = formatLength(last.most, page.unit.value);
-  return <p class="quiet small">{`As it settled, points moved by up to ${most}.`}</p>;
+  const words =
+    last && last.design === page.history.value?.present && settledWords(last, page.unit.value);
+  return words ? <p class="quiet small">{words}</p> : null;
 }
