@@ -26,13 +26,19 @@ function importersOf(id: string, graph: Graph): readonly Module[] {
   return found;
 }
 
-/** A component that fetches others by `later()`, which it does as soon as the page can be used. */
-const fetchesLater = (id: string, graph: Graph): boolean =>
-  graph.getModuleInfo(id)?.importedIds.some((one) => one.endsWith("/ui/later.tsx")) ?? false;
+/** Puts parts of features into their places, or lists the features that do. */
+const registers = (id: string): boolean => /\/features\/.*(register|all-features)\.ts$/.test(id);
 
-/** A part of the shell's controls, or a component of a feature: the rest of a feature is drawn in the view. */
+/** A component that fetches others by `later()`, which it does as soon as the page can be used, as places do. */
+const fetchesLater = (id: string, graph: Graph): boolean =>
+  registers(id) ||
+  (graph.getModuleInfo(id)?.importedIds.some((one) => one.endsWith("/ui/later.tsx")) ?? false);
+
+/** A part of the shell's controls, or a component or the commands of a feature: the rest of it is drawn in the view. */
 const isControl = (id: string): boolean =>
-  id.includes("/src/ui/") || (id.includes("/src/features/") && id.endsWith(".tsx"));
+  id.includes("/src/ui/") ||
+  registers(id) ||
+  (id.includes("/src/features/") && /(\.tsx|-commands\.ts)$/.test(id));
 
 /**
  * Names the file for a module; null leaves it to the bundler. What the view, a drag or a link that

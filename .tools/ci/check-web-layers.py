@@ -19,16 +19,8 @@ SOURCE = Path(__file__).resolve().parents[2] / "web/src"
 LAYERS = ["result", "quantity", "bytes", "mesh", "rhino", "solver", "design", "state", "scene", "export", "ui", "features", "embed", "app"]
 STRANGERS = {("export", "scene"), ("scene", "export")}
 
-# A feature is a folder of `features`. Layers below fetch its parts by import(); these import them at
-# once, to register them: its commands, its followers in the view, its sections and dialogs.
-REGISTRATIONS = {
-    "scene/viewport.ts": {"context", "hiding", "second-layer", "touch"},
-    "ui/commands/all-commands.ts": {"numbers", "selecting", "views"},
-    "ui/commands/more-commands.ts": {"comparing", "exploring"},
-    "ui/shop-dialogs.ts": {"shop"},
-    "ui/top-bar.tsx": {"help", "sharing"},
-    "ui/view-notes.tsx": {"hiding", "notes", "second-layer", "touch"},
-}
+# A feature is a folder of `features`: no layer below knows any. This lists them, and it alone has them register.
+FEATURE_TABLE = "features/all-features.ts"
 # A feature that offers another where it is of use.
 OFFERS = {
     ("advanced", "constraints"),
@@ -53,8 +45,8 @@ STATE = re.compile(
 
 
 def imports():
-    """By file, the files of the page that it imports, types and later parts too; and what of it is later."""
-    graph, later = {}, set()
+    """By file, the files of the page that it imports, types and later parts too."""
+    graph = {}
     for path in sorted(SOURCE.rglob("*.ts*")):
         name = path.relative_to(SOURCE).as_posix()
         graph[name] = []
@@ -63,9 +55,7 @@ def imports():
             if target.suffix == ".css" or not target.is_relative_to(SOURCE):
                 continue
             graph[name].append(target.relative_to(SOURCE).as_posix())
-            if fetched:
-                later.add((name, graph[name][-1]))
-    return graph, later
+    return graph
 
 
 def layer_of(name):
@@ -82,38 +72,38 @@ def is_allowed(layer, below):
     return LAYERS.index(below) < LAYERS.index(layer)
 
 
-def check_layers(graph, later):
+def check_layers(graph):
     for name, targets in graph.items():
         if "/" in name and layer_of(name) not in LAYERS + list(APART):
             yield f"web/src/{name}: {layer_of(name)} is no layer of {Path(__file__).name}"
         for target in targets:
-            if not may_use(name, target, later):
+            if not may_use(name, target):
                 yield f"web/src/{name}: {feature_of(name) or layer_of(name)} must not import {target}"
 
 
 def feature_of(name):
-    return name.split("/")[1] if layer_of(name) == "features" else None
+    """The folder of features that a file is in; None for what is no feature, as their table."""
+    layer, *path = name.split("/")
+    return path[0] if layer == "features" and len(path) > 1 else None
 
 
-def may_use(name, target, later):
+def may_use(name, target):
+    if not is_allowed(layer_of(name), layer_of(target)):
+        return False
+    if target.endswith("/register.ts"):
+        return name == FEATURE_TABLE
     feature, other = feature_of(name), feature_of(target)
-    if other is None or layer_of(name) in ("embed", "app"):
-        return is_allowed(layer_of(name), layer_of(target))
-    if feature is not None:
-        return feature == other or (feature, other) in OFFERS
-    return (name, target) in later or other in REGISTRATIONS.get(name, ())
+    return None in (feature, other) or feature == other or (feature, other) in OFFERS
 
 
 def check_lists(graph):
-    """What is listed above and no longer there."""
-    arrows = {(name, feature_of(target)) for name, targets in graph.items() for target in targets}
-    for name, features in REGISTRATIONS.items():
-        for feature in sorted(features):
-            if (name, feature) not in arrows:
-                yield f"web/src/{name}: registers nothing of {feature}"
-    offered = {(feature_of(name), feature) for name, feature in arrows}
+    """What is listed above and no longer there; features that nothing registers."""
+    offered = {(feature_of(name), feature_of(target)) for name, targets in graph.items() for target in targets}
     for one, other in sorted(OFFERS - offered):
         yield f"web/src/features/{one}: offers nothing of {other}"
+    for name in sorted(graph):
+        if name.endswith("/register.ts") and name not in graph[FEATURE_TABLE]:
+            yield f"web/src/{name}: not in {FEATURE_TABLE}"
 
 
 def check_folders():
@@ -146,9 +136,9 @@ def check_state(graph):
 
 
 def main():
-    graph, later = imports()
-    violations = [*check_layers(graph, later), *check_folders()]
-    for check in (check_lists, check_circles, check_telling, check_state):
+    graph = imports()
+    violations = [*check_folders()]
+    for check in (check_layers, check_lists, check_circles, check_telling, check_state):
         violations += check(graph)
     for violation in violations:
         print(violation)

@@ -1,15 +1,39 @@
 // SPDX-License-Identifier: MIT
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { KEY_HINTS, keysOf } from "../../web/src/features/help/help-keys.tsx";
+import { registerFeatures } from "../../web/src/features/all-features.ts";
+import { CUT } from "../../web/src/features/cut/cut-button.tsx";
+import { EXPLORING_COMMANDS } from "../../web/src/features/exploring/exploring-commands.ts";
+import { keyGroups, keysOf } from "../../web/src/features/help/help-keys.tsx";
 import { found } from "../../web/src/features/palette/command-palette.tsx";
 import { SELECTION_COMMANDS } from "../../web/src/features/selecting/selection-commands.ts";
+import { SHARE } from "../../web/src/features/sharing/share-dialog.tsx";
 import type { Page } from "../../web/src/state/page.ts";
-import { ALL_COMMANDS } from "../../web/src/ui/commands/all-commands.ts";
+import { allCommands } from "../../web/src/ui/commands/all-commands.ts";
 import { type Command, keyOf, refusalOf, titleOf } from "../../web/src/ui/commands/command.ts";
-import { COMMANDS, type CommandId, commandOf } from "../../web/src/ui/commands/commands.ts";
+import {
+  COMMANDS,
+  type CommandId,
+  commandOf,
+  commandsAtOnce,
+} from "../../web/src/ui/commands/commands.ts";
 import { spelled } from "../../web/src/ui/commands/keys.ts";
 import { MORE_COMMANDS } from "../../web/src/ui/commands/more-commands.ts";
+import { laterCommands } from "../../web/src/ui/commands/offered-commands.ts";
 import { openedPage, pageAlone, pageHere } from "./support/page-here.ts";
+
+/** With every feature. */
+function registered(page: Page): Page {
+  registerFeatures(page);
+  return page;
+}
+
+/** Where each command is looked up; what it is done to is another page. */
+const SHELF = registered(pageAlone());
+
+const ALL_COMMANDS = allCommands(
+  SHELF,
+  (await Promise.all(laterCommands(SHELF).map((list) => list()))).flat(),
+);
 
 const labels = (commands: readonly Command[]): string[] => commands.map(({ label }) => label);
 
@@ -48,37 +72,38 @@ describe("the table", () => {
   });
 
   it("is where Help has its keys from: each command with a key is in one hint", () => {
-    const said = KEY_HINTS.flatMap(({ of }) => of);
-    const table: readonly (readonly [string, Command])[] = Object.entries(COMMANDS);
-    const withKeys = table.filter(([, { keys }]) => keys).map(([id]) => id);
-    expect([...said].sort()).toEqual(withKeys.sort());
-    expect(keysOf(["undo", "redo"])).toBe("[Ctrl] [Z], [Ctrl] [Shift] [Z]");
-    expect(keysOf(["lockAcrossX", "lockAcrossY"])).toBe("[Shift] [X] [Y]");
-    expect(keysOf(["step"])).toBe("[←] [→] [↑] [↓]");
+    const said = keyGroups(SHELF).flatMap(({ of }) => of);
+    const withKeys = commandsAtOnce(SHELF).filter(({ keys }) => keys);
+    expect(withKeys).toContain(CUT);
+    expect(labels(said).sort()).toEqual(labels(withKeys).sort());
+    expect(keysOf([COMMANDS.undo, COMMANDS.redo])).toBe("[Ctrl] [Z], [Ctrl] [Shift] [Z]");
+    expect(keysOf([COMMANDS.lockAcrossX, COMMANDS.lockAcrossY])).toBe("[Shift] [X] [Y]");
+    expect(keysOf([COMMANDS.step])).toBe("[←] [→] [↑] [↓]");
   });
 });
 
 it("keys are spelled as the table has them", () => {
   const at = (id: CommandId): Command => COMMANDS[id];
-  expect(commandOf(pressed("z", { ctrlKey: true }))).toBe(at("undo"));
-  expect(commandOf(pressed("Z", { metaKey: true, shiftKey: true }))).toBe(at("redo"));
-  expect(commandOf(pressed("+", { shiftKey: true }))).toBe(at("zoomIn"));
-  expect(commandOf(pressed("1", { shiftKey: true }))).toBe(at("perspective"));
-  expect(commandOf(pressed("X", { shiftKey: true, altKey: true }))).toBe(at("lockAcrossX"));
-  expect(commandOf(pressed("Escape", { shiftKey: true }))).toBe(at("giveUp"));
-  expect(commandOf(pressed("ArrowLeft", { ctrlKey: true }))).toBe(at("stepAdding"));
-  expect(commandOf(pressed("b", { altKey: true }))).toBeUndefined();
-  expect(commandOf(pressed("x", { ctrlKey: true }))).toBeUndefined();
+  expect(commandOf(SHELF, pressed("z", { ctrlKey: true }))).toBe(at("undo"));
+  expect(commandOf(SHELF, pressed("Z", { metaKey: true, shiftKey: true }))).toBe(at("redo"));
+  expect(commandOf(SHELF, pressed("+", { shiftKey: true }))).toBe(at("zoomIn"));
+  expect(commandOf(SHELF, pressed("1", { shiftKey: true }))).toBe(at("perspective"));
+  expect(commandOf(SHELF, pressed("X", { shiftKey: true, altKey: true }))).toBe(at("lockAcrossX"));
+  expect(commandOf(SHELF, pressed("Escape", { shiftKey: true }))).toBe(at("giveUp"));
+  expect(commandOf(SHELF, pressed("ArrowLeft", { ctrlKey: true }))).toBe(at("stepAdding"));
+  expect(commandOf(SHELF, pressed("b", { altKey: true }))).toBeUndefined();
+  expect(commandOf(SHELF, pressed("x", { ctrlKey: true }))).toBeUndefined();
   expect(keyOf(COMMANDS.redo)).toBe("Ctrl Shift Z");
-  expect(keyOf(COMMANDS.share)).toBe("");
+  expect(keyOf(SHARE)).toBe("");
 });
 
 it("a few letters find a command, those that begin with them first", () => {
-  expect(labels(found("export o"))[0]).toBe("Export OBJ");
-  expect(labels(found("undo"))).toEqual(["Undo"]);
-  expect(labels(found("by colour fold"))).toEqual(["Colour by folds"]);
-  expect(found("nothing is called so")).toEqual([]);
-  expect(found("").length).toBeGreaterThan(40);
+  const find = (typed: string): readonly Command[] => found(typed, ALL_COMMANDS);
+  expect(labels(find("export o"))[0]).toBe("Export OBJ");
+  expect(labels(find("undo"))).toEqual(["Undo"]);
+  expect(labels(find("by colour fold"))).toEqual(["Colour by folds"]);
+  expect(find("nothing is called so")).toEqual([]);
+  expect(find("").length).toBeGreaterThan(40);
 });
 
 describe("without a browser", () => {
@@ -146,23 +171,23 @@ describe("without a browser", () => {
   it("an exact design is said to be so, and stays", async () => {
     const page = await openedPage();
     const before = page.history.value;
-    await COMMANDS.makeExact.run(page);
+    await EXPLORING_COMMANDS.makeExact.run(page);
     expect(page.notice.value).toBe("Already exact: every panel is flat.");
     expect(page.history.value).toBe(before);
     // Who asks again hears it again: the words are other ones, and look the same.
-    await COMMANDS.makeExact.run(page);
+    await EXPLORING_COMMANDS.makeExact.run(page);
     expect(page.notice.value).toBe("Already exact: every panel is flat.\u00a0");
-    await COMMANDS.makeExact.run(page);
+    await EXPLORING_COMMANDS.makeExact.run(page);
     expect(page.notice.value).toBe("Already exact: every panel is flat.");
   });
 
   it("what a key does is done", async () => {
     const page: Page = await openedPage();
-    commandOf("Shift+X")?.run(page, "Shift+X");
+    commandOf(SHELF, "Shift+X")?.run(page, "Shift+X");
     expect(page.lock.value).toEqual({ axis: "x", plane: true });
-    commandOf("B")?.run(page, "B");
+    commandOf(SHELF, "B")?.run(page, "B");
     expect(page.showBefore.value).toBe(true);
-    commandOf("B")?.release?.(page);
+    commandOf(SHELF, "B")?.release?.(page);
     expect(page.showBefore.value).toBe(false);
     SELECTION_COMMANDS.selectBoundary.run(page);
     expect(page.selection.value.length).toBeGreaterThan(10);

@@ -8,6 +8,7 @@ import { h, render } from "preact";
 import { followAddress, openAddress } from "../../../web/src/app/address.ts";
 import { App } from "../../../web/src/app/app.tsx";
 import { FIRST_SETTINGS } from "../../../web/src/design/design.ts";
+import { registerFeatures } from "../../../web/src/features/all-features.ts";
 import { keepFreedom, keepPanelFigures } from "../../../web/src/state/analysis.ts";
 import { loadFigures } from "../../../web/src/state/figures.ts";
 import { openFirst } from "../../../web/src/state/opening.ts";
@@ -206,6 +207,7 @@ const ADDRESS = "http://localhost/under/a/path/";
 async function openPage(size: Size, hash: string): Promise<BrowserPage> {
   resizeWindow(size);
   const page = pageHere();
+  registerFeatures(page);
   page.ready.value = false;
   const root = document.createElement("div");
   root.id = "app";

@@ -2,7 +2,6 @@
 
 import { useSignalEffect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { PaletteDialog } from "../features/palette/palette-dialog.tsx";
 import { FileDrop } from "../ui/file-drop.tsx";
 import { Inspector, SheetFold } from "../ui/inspector.tsx";
 import { usePage } from "../ui/page-context.ts";
@@ -31,7 +30,6 @@ export function App() {
         <Inspector />
       </main>
       <StatusLine />
-      <PaletteDialog />
     </FileDrop>
   );
 }

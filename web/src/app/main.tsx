@@ -13,6 +13,7 @@ import "../ui/dialog.css";
 import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
+import { registerFeatures } from "../features/all-features.ts";
 import { prepareDisplay } from "../mesh/display-mesh.ts";
 import { solverSpawner } from "../solver/spawn.ts";
 import { keepFreedom, keepPanelFigures } from "../state/analysis.ts";
@@ -22,6 +23,7 @@ import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
 
 const page = new Page(solverSpawner());
+registerFeatures(page);
 page.displayMesh.value = prepareDisplay({
   display: Float32Array.from(firstMesh.positions),
   offsets: Int32Array.from(firstMesh.offsets),

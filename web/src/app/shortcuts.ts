@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 import type { Page } from "../state/page.ts";
-import { type Command, refusalOf } from "../ui/commands/command.ts";
-import { COMMANDS, commandOf } from "../ui/commands/commands.ts";
+import { refusalOf } from "../ui/commands/command.ts";
+import { commandOf, commandsAtOnce } from "../ui/commands/commands.ts";
 import { isHeard, spelled } from "../ui/commands/keys.ts";
 
 function down(page: Page, event: KeyboardEvent): void {
   const key = spelled(event);
-  const command = commandOf(key);
+  const command = commandOf(page, key);
   if (!command || event.defaultPrevented || !isHeard(command.heard, event.target)) return;
   event.preventDefault();
   // A key that is held says so again and again.
@@ -16,12 +16,11 @@ function down(page: Page, event: KeyboardEvent): void {
 }
 
 function up(page: Page, event: KeyboardEvent): void {
-  commandOf(event.key.toUpperCase())?.release?.(page);
+  commandOf(page, event.key.toUpperCase())?.release?.(page);
 }
 
 function letGo(page: Page): void {
-  const all: readonly Command[] = Object.values(COMMANDS);
-  for (const { release } of all) release?.(page);
+  for (const { release } of commandsAtOnce(page)) release?.(page);
 }
 
 /** Keys from now on run commands. Returns how to stop listening. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is on screen and from where it is seen: pixels, rays, and places on the structure.
 
+import { signal } from "@preact/signals";
 import { type Ray, Vector3 } from "three";
+import type { Outcome } from "../state/action-queue.ts";
 import type { Page } from "../state/page.ts";
 import { type Place, project, type View } from "./picking.ts";
 import type { Shell } from "./shell.ts";
@@ -19,6 +21,10 @@ export class Sight {
   readonly stage: Stage;
   /** The structure on the stage; null before there is one, and after the view is gone. */
   shell: Shell | null = null;
+  /** Where a finger drags points, pixels of the canvas; null while none does. */
+  readonly finger = signal<Place | null>(null);
+  /** The latest of its drags: the point that led, and how it ends. */
+  readonly lifted = signal<{ readonly vertex: number; readonly ended: Outcome } | null>(null);
   /** The last place on the surface that the wheel or a turn began at. */
   #approached: Vector3 | null = null;
 

@@ -3,10 +3,6 @@
 
 import { effect, untracked } from "@preact/signals";
 import { type Object3D, Vector3 } from "three";
-import { followContext } from "../features/context/context-follower.ts";
-import { followHiding } from "../features/hiding/hiding-follower.ts";
-import { followOffset } from "../features/second-layer/offset-follower.ts";
-import { FingerFollower } from "../features/touch/finger-follower.ts";
 import { cleanView } from "../state/clean-view.ts";
 import { frameAt } from "../state/dragging.ts";
 import { handleOf } from "../state/editing.ts";
@@ -16,6 +12,7 @@ import { panelsAtLimit } from "../state/refused-pull.ts";
 import { deselect } from "../state/selection.ts";
 import { askedPulls } from "./asked-pulls.ts";
 import { followColours } from "./colour-follower.ts";
+import { followers } from "./followers.ts";
 import type { ViewName } from "./framing.ts";
 import { Gizmo } from "./gizmo.ts";
 import { grip, holdOf } from "./grip.ts";
@@ -48,7 +45,6 @@ export class Viewport {
   readonly #pointer: PointerTool;
   readonly #overlay: Overlay;
   readonly #reach: ReachFollower;
-  readonly #finger: FingerFollower;
   readonly #dark = window.matchMedia("(prefers-color-scheme: dark)");
   readonly #stop: (() => void)[] = [];
 
@@ -58,15 +54,11 @@ export class Viewport {
     this.#overlay = new Overlay(page, parts);
     this.stage = new Stage(parts.canvas, {
       before: (pixel) => this.sight.shell?.inkEdges(pixel),
-      after: () => {
-        this.#placeOverlay();
-        this.#finger.draw();
-      },
+      after: () => this.#placeOverlay(),
     });
     this.sight = new Sight(page, parts.canvas, this.stage);
     this.#gizmo = new Gizmo(this.stage);
     this.#reach = new ReachFollower(this.sight, parts.knob);
-    this.#finger = new FingerFollower(this.sight);
     this.#choice = new PointerChoice(this.sight, this.#gizmo);
     this.#pointer = this.#makePointer();
     this.#follow();
@@ -119,7 +111,6 @@ export class Viewport {
   dispose(): void {
     for (const stop of this.#stop) stop();
     this.#pointer.dispose();
-    this.#finger.dispose();
     this.#gizmo.dispose();
     this.sight.shell?.dispose();
     this.sight.shell = null; // its shadow may still be to come
@@ -154,8 +145,12 @@ export class Viewport {
         if (at) this.stage.aim(at);
       },
       drag: (session, keys, ray) => session.move(holdOf(sight, keys), ray),
-      finger: (at) => this.#finger.follow(at),
-      lifted: ({ vertex }, ended) => void this.#finger.lifted(vertex, ended),
+      finger: (at) => {
+        sight.finger.value = at;
+      },
+      lifted: ({ vertex }, ended) => {
+        sight.lifted.value = { vertex, ended };
+      },
       outline: (outline) => this.#overlay.drawOutline(outline),
       choose: (outline, also) => choice.area(outline, also),
     });
@@ -186,10 +181,8 @@ export class Viewport {
         moved: () => this.#showMoved(),
       }),
       followColours(this.sight),
-      followHiding(this.sight),
-      followOffset(this.sight, palette),
+      ...followers(this.#page).map((follow) => follow(this.sight, palette)),
       this.#reach.follow(),
-      followContext(this.#page, this.stage, this.#dark),
       this.#followPanels(),
       this.#followPoints(),
     );

@@ -2,6 +2,4 @@
 import { later } from "./later.tsx";
 
 /** The "?" beside a control. */
-export const Ask = later(() =>
-  import("../features/help/ask-button.tsx").then((part) => part.AskButton),
-);
+export const Ask = later(() => import("./ask/ask-button.tsx").then((part) => part.AskButton));

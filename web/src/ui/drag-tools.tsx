@@ -8,9 +8,9 @@ import { Ask } from "./ask.tsx";
 import { type Command, keyOf, refusalOf } from "./commands/command.ts";
 import { COMMANDS } from "./commands/commands.ts";
 import { Icon, type IconName } from "./icon.tsx";
-import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
 import { usePage } from "./page-context.ts";
+import { ClickTools, LastTools } from "./places.ts";
 
 interface ToggleProps {
   readonly name: string;
@@ -24,7 +24,7 @@ interface ToggleProps {
   readonly children: ComponentChildren;
 }
 
-function Toggle({ name, word, about, on, disabled, kind, onClick, children }: ToggleProps) {
+export function Toggle({ name, word, about, on, disabled, kind, onClick, children }: ToggleProps) {
   return (
     <button
       type="button"
@@ -162,26 +162,6 @@ function PinTool() {
   );
 }
 
-function CutTool() {
-  const page = usePage();
-  const { cut } = COMMANDS;
-  return (
-    <Toggle
-      kind="cut"
-      name={cut.label}
-      word="Cut"
-      about={refusalOf(page, cut) || `clicks part panels, and no point moves (${keyOf(cut)})`}
-      on={page.cutting.value}
-      disabled={refusalOf(page, cut) !== ""}
-      onClick={() => cut.run(page)}
-    >
-      <Icon name="scissors" />
-    </Toggle>
-  );
-}
-
-const SightTools = later(() => import("./view-notes.tsx").then((part) => part.SightTools));
-
 export function DragTools() {
   const page = usePage();
   const resting =
@@ -194,7 +174,7 @@ export function DragTools() {
     >
       <AreaTools />
       <PinTool />
-      <CutTool />
+      <ClickTools />
       <span class="tool-gap" />
       <LockTools />
       <Toggle
@@ -210,7 +190,7 @@ export function DragTools() {
       </Toggle>
       <span class="tool-gap" />
       <SnapTools />
-      <SightTools />
+      <LastTools />
       <Ask about="tools" />
     </div>
   );

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 import { useRef } from "preact/hooks";
-import { useDoors } from "./commands/doors.ts";
-import { EXPORT_COMMANDS } from "./commands/export-commands.ts";
+import { exportCommands } from "./commands/export-commands.ts";
 import { Icon } from "./icon.tsx";
-import { useLaterDialog } from "./later-dialog.tsx";
 import { usePage } from "./page-context.ts";
 
 export function ExportMenu() {
   const page = usePage();
   const menu = useRef<HTMLDivElement>(null);
-  const { open, element } = useLaterDialog("shop", async () => {
-    const { shopDialogs } = await import("./shop-dialogs.ts");
-    return shopDialogs;
-  });
-  useDoors({
-    package: () => open("package"),
-    drawings: () => open("drawings"),
-    ifc: () => open("ifc"),
-  });
   return (
     <div class="menu-anchor">
       <button
@@ -32,7 +21,7 @@ export function ExportMenu() {
         <span class="bar-label">Export</span>
       </button>
       <div id="export-menu" class="menu" popover="auto" ref={menu}>
-        {Object.values(EXPORT_COMMANDS).map(({ name, about, run }) => (
+        {exportCommands(page).map(({ name, about, run }) => (
           <div key={name} class="menu-item">
             <button
               type="button"
@@ -50,7 +39,6 @@ export function ExportMenu() {
           </div>
         ))}
       </div>
-      {element}
     </div>
   );
 }

@@ -18,13 +18,9 @@ import type { Page } from "../state/page.ts";
 import { selectOnly, toggleSelected } from "../state/selection.ts";
 import { type Shortfall, settled, shortfalls, varied } from "../state/shortfall.ts";
 import { Icon } from "./icon.tsx";
-import { later } from "./later.tsx";
 import { NumberField } from "./number-field.tsx";
 import { usePage } from "./page-context.ts";
-
-const SurfaceMove = later(() =>
-  import("../features/handles/surface-move.tsx").then((part) => part.SurfaceMove),
-);
+import { HandleGroups, UnderSelected, UnderTable } from "./places.ts";
 
 const AXES = ["X", "Y", "Z"] as const;
 
@@ -33,23 +29,7 @@ const ROWS = 40;
 /** More handles than these, or more pins, are one row each until they are asked for. */
 const LISTED = 10;
 
-const HandleGroup = later(() =>
-  import("../features/handles/handle-group.tsx").then((part) => part.HandleGroup),
-);
-
 const stepFor = (meanEdge: number): number => niceStep(meanEdge / 100);
-
-const LowerSolution = later(() =>
-  import("../features/handles/lower-solution.tsx").then((part) => part.LowerSolution),
-);
-
-const Position = later(() =>
-  import("../features/handles/position.tsx").then((part) => part.Position),
-);
-
-const MeetTargets = later(() =>
-  import("../features/stopping/stopped-note.tsx").then((part) => part.MeetTargets),
-);
 
 /** How far the point is from its target; kept in place while something moves. */
 function Short({ short }: { short: Shortfall }) {
@@ -152,7 +132,7 @@ function Rows({ rows, kind, step }: { rows: readonly HandleRow[]; kind: string; 
     many && !listed.value ? rows.filter(({ vertex }) => vertex === page.selected.value) : rows;
   return (
     <>
-      {many && <HandleGroup rows={rows} kind={kind} listed={listed} />}
+      {many && <HandleGroups rows={rows} kind={kind} listed={listed} />}
       {shown.slice(0, ROWS).map((row) => (
         <Row key={row.vertex} row={row} step={step} />
       ))}
@@ -216,8 +196,7 @@ export function HandlesTable() {
           <Rows rows={pins} kind="pinned" step={step} />
         </tbody>
       </table>
-      <MeetTargets />
-      <LowerSolution />
+      <UnderTable />
       {rows.length === 0 && page.baseFlat.value && (
         <p class="quiet empty">Drag a point in the view, or add one and type where it should go.</p>
       )}
@@ -251,12 +230,7 @@ export function HandlesTable() {
         )}
       </div>
       {bent && <p class="quiet small">{FLAT_FIRST}</p>}
-      {page.selection.value.length > 0 && (
-        <>
-          <SurfaceMove />
-          <Position />
-        </>
-      )}
+      {page.selection.value.length > 0 && <UnderSelected />}
     </>
   );
 }

@@ -5,9 +5,9 @@ import type { ComponentProps } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { shownTab, TABS, type Tab } from "../state/inspector.ts";
 import { Ask } from "./ask.tsx";
-import { later } from "./later.tsx";
+import { EditSection } from "./edit-section.tsx";
 import { usePage } from "./page-context.ts";
-import { SECTIONS } from "./sections.tsx";
+import { OpenedFile, SECTIONS, Strips } from "./places.ts";
 
 interface TabWords {
   readonly label: string;
@@ -23,24 +23,6 @@ const WORDS: Readonly<Record<Tab, TabWords>> = {
   explore: { label: "Explore", about: "explore" },
   check: { label: "Check and make", about: "exact" },
 };
-
-const SelectionStrip = later(() =>
-  import("../features/selecting/selection-strip.tsx").then((part) => part.SelectionStrip),
-);
-
-const CutStrip = later(() => import("../features/cut/cut-strip.tsx").then((part) => part.CutStrip));
-
-/** The strip where several points are selected, or about to be; beside the view, to cover none of them. */
-function Several() {
-  const page = usePage();
-  const asked = page.areaTool.value ?? page.typedMove.value;
-  return page.selection.value.length > 1 || asked ? <SelectionStrip /> : null;
-}
-
-/** The strip beside the view in which clicks cut. */
-function Cutting() {
-  return usePage().cutting.value ? <CutStrip /> : null;
-}
 
 /** Folds the controls, which are a sheet under the view on a telephone: folded, they leave it the room. */
 export function SheetFold() {
@@ -122,6 +104,7 @@ function Tabs() {
 /** A tab's panel. All three are there, one is in sight: what was typed or unfolded in the others stays. */
 function Panel({ tab }: { tab: Tab }) {
   const page = usePage();
+  const Sections = SECTIONS[tab];
   return (
     <div
       id={`panel-${tab}`}
@@ -130,9 +113,9 @@ function Panel({ tab }: { tab: Tab }) {
       aria-labelledby={`tab-${tab}`}
       hidden={shownTab(page).value !== tab}
     >
-      {SECTIONS.filter((section) => section.place === tab).map(({ name, Content }) => (
-        <Content key={name} />
-      ))}
+      {tab === "edit" && <OpenedFile />}
+      {tab === "edit" && <EditSection />}
+      <Sections />
     </div>
   );
 }
@@ -150,8 +133,7 @@ export function Inspector() {
     <aside id="inspector" class="inspector" aria-label="Inspector">
       <Tabs />
       <div ref={under} class="inspector-body">
-        <Several />
-        <Cutting />
+        <Strips />
         {TABS.map((one) => (
           <Panel key={one} tab={one} />
         ))}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import type { RefObject } from "preact";
-import { isKind, type Kind } from "../design/kept-kind.ts";
+import { isKind } from "../design/kept-kind.ts";
 import { formatLength } from "../quantity/units.ts";
 import { DARK, LIGHT, type Palette } from "../scene/palette.ts";
 import { cssGradient } from "../scene/ramp.ts";
@@ -12,37 +12,9 @@ import type { ColourBy } from "../state/page-state.ts";
 import { defectEnd, foldEnd, largest } from "../state/ramp-ends.ts";
 import { Ask } from "./ask.tsx";
 import { COLOURS } from "./colours.ts";
-import { later } from "./later.tsx";
-import { ConjugacyScale } from "./net-parts.ts";
 import { usePage } from "./page-context.ts";
-
-const Histogram = later(() =>
-  import("../features/analysis/histogram-chart.tsx").then((part) => part.Histogram),
-);
-
-const HealthScale = later(() =>
-  import("../features/analysis/class-scale.tsx").then((part) => part.HealthScale),
-);
-
-const PlanarityScale = later(() =>
-  import("../features/analysis/planarity-scale.tsx").then((part) => part.PlanarityScale),
-);
-
-const MobilityScale = later(() =>
-  import("../features/mobility/mobility-scale.tsx").then((part) => part.MobilityScale),
-);
-
-const RemakeScale = later(() =>
-  import("../features/analysis/class-scale.tsx").then((part) => part.RemakeScale),
-);
-
-const GroupsScale = later(() =>
-  import("../features/groups/groups-scale.tsx").then((part) => part.GroupsScale),
-);
-
-const TypesScale = later(() =>
-  import("../features/types/types-scale.tsx").then((part) => part.TypesScale),
-);
+import type { Place } from "./place.tsx";
+import { ENDS, Histograms, LEGENDS } from "./places.ts";
 
 function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   return (
@@ -53,9 +25,7 @@ function Bar({ ramp }: { ramp: (palette: Palette) => readonly string[] }) {
   );
 }
 
-type Linear = "shape" | "slide" | "displacement" | "fairness" | "fold" | Kind;
-
-function ends(page: Page, kind: Linear): readonly [string, string] {
+function ends(page: Page, kind: ColourBy): readonly [string, string] {
   const { maxDisplacement } = page.figures.value;
   if (kind === "displacement")
     return ["0 mm, untouched", formatLength(maxDisplacement, page.unit.value)];
@@ -77,7 +47,7 @@ function ends(page: Page, kind: Linear): readonly [string, string] {
   return ["0 mm, smooth", formatLength(sharpest, page.unit.value)];
 }
 
-function Ends({ of }: { of: Linear }) {
+function Ends({ of }: { of: ColourBy }) {
   const page = usePage();
   const [low, high] = ends(page, of);
   return (
@@ -105,6 +75,9 @@ function rampOf(kind: ColourBy): (palette: Palette) => readonly string[] {
   return (palette) => (ofPoints ? palette.displacement : palette.planarity);
 }
 
+const WHOLE: Partial<Record<ColourBy, Place>> = LEGENDS;
+const OWN_ENDS: Partial<Record<ColourBy, Place>> = ENDS;
+
 function Scale() {
   const page = usePage();
   const kind = page.colourBy.value;
@@ -113,23 +86,13 @@ function Scale() {
     return <p class="legend-note">Mirrored by the smooth surface through the points</p>;
   if (kind === "glass")
     return <p class="legend-note">Each panel mirrors the sky, or lets it through</p>;
-  if (kind === "health") return <HealthScale />;
-  if (kind === "types") return <TypesScale />;
-  if (kind === "groups") return <GroupsScale />;
-  if (kind === "remake") return <RemakeScale />;
+  const [Whole, End] = [WHOLE[kind], OWN_ENDS[kind]];
+  if (Whole) return <Whole />;
   return (
     <>
-      <Histogram />
+      <Histograms />
       <Bar ramp={rampOf(kind)} />
-      {kind === "planarity" ? (
-        <PlanarityScale />
-      ) : kind === "mobility" ? (
-        <MobilityScale />
-      ) : kind === "conjugacy" ? (
-        <ConjugacyScale />
-      ) : (
-        <Ends of={kind} />
-      )}
+      {End ? <End /> : <Ends of={kind} />}
       {NOTES[kind] && <p class="legend-note">{NOTES[kind]}</p>}
     </>
   );

@@ -11,8 +11,8 @@ import type { Page } from "../state/page.ts";
 import { growsReach } from "../state/reach-choice.ts";
 import { panelsToRemake } from "../state/remaking.ts";
 import { Choice } from "./choice.tsx";
-import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
+import { UnderSoftness } from "./places.ts";
 import { Slider } from "./slider.tsx";
 
 const MOST_RINGS = 12;
@@ -102,10 +102,6 @@ function Softness() {
   );
 }
 
-const FewPanels = later(() =>
-  import("../features/few-panels/few-panels.tsx").then((part) => part.FewPanels),
-);
-
 const FIXED = "fixed";
 
 const BOUNDARIES: readonly (readonly [string, string])[] = [
@@ -152,7 +148,7 @@ export function ReachAndSoftness() {
     <>
       <Reach />
       <Softness />
-      <FewPanels />
+      <UnderSoftness />
       <Boundary />
     </>
   );

@@ -1,58 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What an edit has to keep to: a chip for each kind of rule, which opens its editor.
-import type { ComponentType } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { FIRST_SETTINGS } from "../design/design.ts";
 import { formsByPoint } from "../design/listed-supports.ts";
 import { areAllOnSurface } from "../design/supports.ts";
 import type { EditSettings } from "../solver/protocol.ts";
 import { RULES, type Rule, rulesInOrder, shownRule } from "../state/inspector.ts";
-import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
+import { EDITORS, RuleNotes } from "./places.ts";
 import { scrollToSection } from "./section-scroll.ts";
 import "./rules.css";
-
-interface RuleKind {
-  /** How many of them the settings of an edit state. */
-  readonly count: (settings: EditSettings) => number;
-  readonly Editor: ComponentType;
-}
 
 const supported = ({ supports }: EditSettings): number =>
   formsByPoint(supports).size + (areAllOnSurface(supports) ? 1 : 0);
 
-const KINDS: Readonly<Record<Rule, RuleKind>> = {
-  limits: {
-    count: ({ limits }) => limits.length,
-    Editor: later(() => import("../features/constraints/limits.tsx").then((part) => part.Limits)),
-  },
-  supports: {
-    count: supported,
-    Editor: later(() =>
-      import("../features/supports/point-supports.tsx").then((part) => part.PointSupports),
-    ),
-  },
-  keepOuts: {
-    count: ({ keepOuts }) => keepOuts.length,
-    Editor: later(() =>
-      import("../features/keep-outs/keep-outs-section.tsx").then((part) => part.KeepOuts),
-    ),
-  },
-  symmetry: {
-    count: ({ symmetry }) => symmetry.length,
-    Editor: later(() =>
-      import("../features/symmetry/symmetry-section.tsx").then((part) => part.SymmetrySection),
-    ),
-  },
+/** How many of them the settings of an edit state. */
+const COUNTS: Readonly<Record<Rule, (settings: EditSettings) => number>> = {
+  limits: ({ limits }) => limits.length,
+  supports: supported,
+  keepOuts: ({ keepOuts }) => keepOuts.length,
+  symmetry: ({ symmetry }) => symmetry.length,
 };
-
-const LimitStanding = later(() =>
-  import("../features/constraints/limits.tsx").then((part) => part.LimitStanding),
-);
 
 function Chip({ rule }: { rule: Rule }) {
   const page = usePage();
-  const [label, { count }] = [RULES[rule], KINDS[rule]];
+  const [label, count] = [RULES[rule], COUNTS[rule]];
   const shown = shownRule(page);
   const on = count(page.settings.value ?? FIRST_SETTINGS);
   const open = shown.value === rule;
@@ -74,7 +46,7 @@ function Chip({ rule }: { rule: Rule }) {
 export function Rules() {
   const page = usePage();
   const settings = page.settings.value ?? FIRST_SETTINGS;
-  const stated = rulesInOrder.filter((rule) => KINDS[rule].count(settings) > 0).length;
+  const stated = rulesInOrder.filter((rule) => COUNTS[rule](settings) > 0).length;
   const open = shownRule(page).value;
   const section = useRef<HTMLElement>(null);
   useEffect(() => {
@@ -89,7 +61,7 @@ export function Rules() {
         ))}
       </div>
       {rulesInOrder.map((rule) => {
-        const { Editor } = KINDS[rule];
+        const Editor = EDITORS[rule];
         return (
           <section
             key={rule}
@@ -102,7 +74,7 @@ export function Rules() {
           </section>
         );
       })}
-      <LimitStanding />
+      <RuleNotes />
     </section>
   );
 }

@@ -8,24 +8,8 @@ import { foldWords } from "../state/fold.ts";
 import type { Page } from "../state/page.ts";
 import type { Activity } from "../state/page-state.ts";
 import { cancel } from "../state/showing.ts";
-import { later } from "./later.tsx";
 import { usePage } from "./page-context.ts";
-
-const ContextNote = later(() =>
-  import("../features/context/context-note.tsx").then((part) => part.ContextNote),
-);
-
-const DamageNote = later(() =>
-  import("../features/analysis/panel-notes.tsx").then((part) => part.DamageNote),
-);
-
-const RemakeNote = later(() =>
-  import("../features/analysis/panel-notes.tsx").then((part) => part.RemakeNote),
-);
-
-const TypesNote = later(() =>
-  import("../features/types/types-note.tsx").then((part) => part.TypesNote),
-);
+import { FigureNotes, FileNotes, StatusNotes } from "./places.ts";
 
 function numbers(page: Page): readonly string[] {
   if (!page.ready.value) {
@@ -126,12 +110,11 @@ export function StatusLine() {
   return (
     <footer class="status-line">
       <div role="status" class="figures">
-        <Numbers /> <DamageNote />
+        <Numbers /> <FigureNotes />
       </div>
-      <RemakeNote />
-      <TypesNote />
+      <StatusNotes />
       <MotionNote />
-      {page.context.value && <ContextNote />}
+      <FileNotes />
       {page.problem.value && (
         <div role="alert" class="alert">
           {page.problem.value}

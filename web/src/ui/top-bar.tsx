@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 
 import { SAMPLES } from "../design/samples.ts";
-import { HelpDialog } from "../features/help/help-dialog.tsx";
-import { ShareDialog } from "../features/sharing/share-dialog.tsx";
 import { offeredFigures, openFigure, shownFigure } from "../state/figures.ts";
 import { openSample } from "../state/opening.ts";
 import { CommandButton } from "./command-button.tsx";
@@ -10,6 +8,7 @@ import { COMMANDS } from "./commands/commands.ts";
 import { ExportMenu } from "./export-menu.tsx";
 import { Icon } from "./icon.tsx";
 import { usePage } from "./page-context.ts";
+import { BarEnd } from "./places.ts";
 import type { Region } from "./regions.ts";
 
 function SampleChooser() {
@@ -86,8 +85,7 @@ export function TopBar() {
       </div>
       <div class="bar-group">
         <ExportMenu />
-        <ShareDialog />
-        <HelpDialog />
+        <BarEnd />
       </div>
     </header>
   );

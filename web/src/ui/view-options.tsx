@@ -5,7 +5,7 @@ import { cleanView } from "../state/clean-view.ts";
 import { viewOptionsShown } from "../state/inspector.ts";
 import { sectionPlane } from "../state/shown-section.ts";
 import { usePage } from "./page-context.ts";
-import { SECTIONS } from "./sections.tsx";
+import { ViewSections } from "./places.ts";
 
 export function ViewOptions() {
   const page = usePage();
@@ -26,9 +26,7 @@ export function ViewOptions() {
           button.current?.focus();
         }}
       >
-        {SECTIONS.filter(({ place }) => place === "view").map(({ name, Content }) => (
-          <Content key={name} />
-        ))}
+        <ViewSections />
       </section>
       <button
         ref={button}

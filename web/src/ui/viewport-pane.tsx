@@ -14,18 +14,11 @@ import { DragTools } from "./drag-tools.tsx";
 import { later } from "./later.tsx";
 import { Legend } from "./legend.tsx";
 import { usePage } from "./page-context.ts";
+import { PanelFigures, PreviewWords, ViewNotes } from "./places.ts";
 import { ViewOptions } from "./view-options.tsx";
 import { offerView } from "./view-slot.ts";
 
-const PanelFigure = later(() =>
-  import("../features/analysis/panel-figure.tsx").then((part) => part.PanelFigure),
-);
-
-const PreviewWords = later(() =>
-  import("../features/planarising/preview-words.tsx").then((part) => part.PreviewWords),
-);
-
-const ViewNotes = later(() => import("./view-notes.tsx").then((part) => part.ViewNotes));
+const Announcement = later(() => import("./announcement.tsx").then((part) => part.Announcement));
 
 const PointFigure = later(() => import("./point-figure.tsx").then((part) => part.PointFigure));
 
@@ -160,7 +153,7 @@ export function ViewportPane() {
         <span>Drag this point. Every panel stays flat.</span>
       </div>
       <div ref={figure} class="panel-figure" hidden>
-        <PanelFigure />
+        <PanelFigures />
       </div>
       <div ref={point} class="point-figure" hidden>
         <PointFigure />
@@ -172,6 +165,7 @@ export function ViewportPane() {
         </svg>
       </div>
       <BeforeNote />
+      <Announcement />
       <ViewNotes />
       <DragTools />
       <Legend element={legend} />

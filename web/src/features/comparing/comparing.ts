@@ -7,11 +7,14 @@ import { convert, type Unit } from "../../quantity/units.ts";
 import type { OpenedMesh, PanelMeasures, Shape } from "../../solver/protocol.ts";
 import { displayOfShape } from "../../solver/shape-display.ts";
 import { client } from "../../state/connection.ts";
+import { goToTab } from "../../state/inspector.ts";
 import { kept, type Page } from "../../state/page.ts";
 import { countHealth } from "../../state/panel-rows.ts";
 import { largestShortfall } from "../../state/shortfall.ts";
 import { sameMesh } from "../../state/showing.ts";
 import { countTypesOf, type TypeCount } from "../../state/type-counts.ts";
+import type { Command } from "../../ui/commands/command.ts";
+import { door } from "../../ui/commands/doors.ts";
 
 const MOST_COMPARED = 4;
 
@@ -193,3 +196,14 @@ export const followCompared = (page: Page): (() => void) =>
       stopped = true;
     };
   });
+
+export const compareDoor = door();
+
+export const COMPARE: Command = {
+  label: "Compare",
+  refusal: (page) => (candidates(page).value.length > 1 ? "" : "It needs a snapshot of this mesh."),
+  run: (page) => {
+    goToTab(page, "explore");
+    return compareDoor(page).open();
+  },
+};

@@ -16,12 +16,11 @@ import {
 import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
 import { COMMANDS } from "../../ui/commands/commands.ts";
-import { useDoors } from "../../ui/commands/doors.ts";
-import { MORE_COMMANDS } from "../../ui/commands/more-commands.ts";
+import { useDoor } from "../../ui/commands/doors.ts";
 import { useLaterDialog } from "../../ui/later-dialog.tsx";
 import { DeleteButton, NameField } from "../../ui/name-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
-import { chooseFirst } from "./comparing.ts";
+import { COMPARE, chooseFirst, compareDoor } from "./comparing.ts";
 import { snapshotPicture } from "./snapshot-picture.ts";
 import "../../ui/designs.css";
 
@@ -33,10 +32,10 @@ function CompareDialog() {
     chooseFirst(page);
     return { compare: { title: "Compare", wide: true, Content: CompareDesigns } };
   });
-  useDoors({ compare: () => open("compare") });
+  useDoor(compareDoor, () => open("compare"));
   return (
     <>
-      <CommandButton look="button wide" command={MORE_COMMANDS.compare} />
+      <CommandButton look="button wide" command={COMPARE} />
       {element}
     </>
   );

@@ -89,3 +89,5 @@ export function KeptKinds({ offered }: { offered: boolean }) {
     </>
   );
 }
+
+export const OfferedKinds = () => <KeptKinds offered />;

@@ -1,45 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Draws what lies beside the panels while there is any; what draws it comes when it is needed.
-
-import { effect } from "@preact/signals";
-import type { Stage } from "../../scene/stage.ts";
+import { followDrawing } from "../../scene/drawing-follower.ts";
+import type { Sight } from "../../scene/sight.ts";
 import { fetchPart } from "../../state/later.ts";
-import type { Page } from "../../state/page.ts";
-import type { ContextView } from "./context-view.ts";
 
 /** Returns how to stop. */
-export function followContext(page: Page, stage: Stage, dark: MediaQueryList): () => void {
-  let shown: ContextView | null = null;
-  const clear = (): void => {
-    if (!shown) return;
-    stage.scene.remove(shown.object);
-    shown.dispose();
-    shown = null;
-    stage.invalidate();
-  };
-  const recolour = (): void => shown?.setDark(dark.matches);
-  dark.addEventListener("change", recolour);
-  const stop = effect(() => {
-    const [objects, opened] = [
-      page.contextHidden.value ? null : page.context.value,
-      page.mesh.value,
-    ];
-    clear();
-    if (!objects || !opened) return;
-    let gone = false;
-    void fetchPart(page, () => import("./context-view.ts")).then((part) => {
-      if (!part || gone) return;
-      shown = new part.ContextView(objects, opened.report, dark.matches);
-      stage.scene.add(shown.object);
-      stage.invalidate();
-    });
-    return () => {
-      gone = true;
-    };
+export const followContext = ({ page, stage }: Sight): (() => void) =>
+  followDrawing(stage, () => {
+    const objects = page.contextHidden.value ? null : page.context.value;
+    const opened = page.mesh.value;
+    if (!objects || !opened) return null;
+    return fetchPart(page, () => import("./context-view.ts")).then(
+      (part) => part && ((dark) => new part.ContextView(stage.scene, objects, opened.report, dark)),
+    );
   });
-  return () => {
-    stop();
-    clear();
-    dark.removeEventListener("change", recolour);
-  };
-}

@@ -7,7 +7,8 @@ import { usePage } from "../../ui/page-context.ts";
 /** How many objects of a file lie beside its panels, the way to hide them, and to keep out of them. */
 export function ContextNote() {
   const page = usePage();
-  const { count = 0, triangles } = page.context.value ?? {};
+  if (!page.context.value) return null;
+  const { count, triangles } = page.context.value;
   const hidden = page.contextHidden.value;
   const objects = counted(count, "other object");
   const keepOut = async (): Promise<void> => {

@@ -11,6 +11,7 @@ import {
   Mesh,
   MeshStandardMaterial,
   type Object3D,
+  type Scene,
 } from "three";
 import type { Context } from "../../rhino/context.ts";
 import { displaySphere } from "../../scene/framing.ts";
@@ -40,25 +41,26 @@ function geometryOf(positions: Float32Array): BufferGeometry {
 }
 
 export class ContextView {
-  readonly object = new Group();
-  readonly #materials: readonly (Material & { readonly color: { set(colour: string): void } })[];
+  readonly #object = new Group();
+  readonly #materials: readonly Material[];
 
-  constructor(context: Context, placing: Placing, dark: boolean) {
-    const line = new LineBasicMaterial({ transparent: true, opacity: 0.5, depthWrite: false });
+  constructor(scene: Scene, context: Context, placing: Placing, dark: boolean) {
+    const color = dark ? GREY.dark : GREY.light;
+    const look = { color, transparent: true, depthWrite: false };
+    const line = new LineBasicMaterial({ ...look, opacity: 0.5 });
     const face = new MeshStandardMaterial({
+      ...look,
       flatShading: true,
       side: DoubleSide,
       roughness: 1,
       metalness: 0,
-      transparent: true,
       opacity: 0.3,
-      depthWrite: false,
     });
     this.#materials = [line, face];
     this.#add(context.lines, (ends) => new LineSegments(geometryOf(ends), line), placing);
     this.#add(context.points, (at) => new LineSegments(geometryOf(crosses(at)), line), placing);
     this.#add(context.triangles, (at) => new Mesh(geometryOf(at), face), placing);
-    this.setDark(dark);
+    scene.add(this.#object);
   }
 
   #add(list: Float64Array, make: (points: Float32Array) => Object3D, placing: Placing): void {
@@ -66,15 +68,12 @@ export class ContextView {
     const object = make(placed(list, placing));
     object.frustumCulled = false; // looking at every point to find their middle takes long
     object.renderOrder = -1; // before the ground, which would hide what is below it
-    this.object.add(object);
-  }
-
-  setDark(dark: boolean): void {
-    for (const { color } of this.#materials) color.set(dark ? GREY.dark : GREY.light);
+    this.#object.add(object);
   }
 
   dispose(): void {
-    for (const object of this.object.children) (object as LineSegments).geometry.dispose();
+    this.#object.removeFromParent();
+    for (const object of this.#object.children) (object as LineSegments).geometry.dispose();
     for (const material of this.#materials) material.dispose();
   }
 }

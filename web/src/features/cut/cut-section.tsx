@@ -2,8 +2,8 @@
 // The way to the tool that cuts where the drag tools have no room for it, and how much was cut.
 import { counted } from "../../quantity/counted.ts";
 import { refusalOf, titleOf } from "../../ui/commands/command.ts";
-import { COMMANDS } from "../../ui/commands/commands.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { CUT } from "./cut-button.tsx";
 import { cuts } from "./cuts.ts";
 
 export function CutSection() {
@@ -16,9 +16,9 @@ export function CutSection() {
       <button
         type="button"
         class="button small"
-        title={titleOf(page, COMMANDS.cut)}
-        disabled={page.cutting.value || refusalOf(page, COMMANDS.cut) !== ""}
-        onClick={() => COMMANDS.cut.run(page)}
+        title={titleOf(page, CUT)}
+        disabled={page.cutting.value || refusalOf(page, CUT) !== ""}
+        onClick={() => CUT.run(page)}
       >
         Start cutting
       </button>

@@ -212,7 +212,7 @@ function List() {
   );
 }
 
-export function CutStrip() {
+function CutStrip() {
   const page = usePage();
   const strip = useRef<HTMLElement>(null);
   // Clicks are the tool's from the first frame of the strip and not any more once it has gone.
@@ -243,3 +243,6 @@ export function CutStrip() {
     </section>
   );
 }
+
+/** Beside the view while clicks in it cut. */
+export const CutStrips = () => (usePage().cutting.value ? <CutStrip /> : null);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 import { leftBehind } from "../../design/design.ts";
-import { MORE_COMMANDS } from "../../ui/commands/more-commands.ts";
 import { usePage } from "../../ui/page-context.ts";
+import { EXPLORING_COMMANDS } from "./exploring-commands.ts";
 
 /** What a variation needs before it can be edited: an edit of its points starts from the base. */
 export function ContinueButton() {
@@ -10,6 +10,7 @@ export function ContinueButton() {
   const design = page.draft.value;
   if (!design || page.figures.value.movedVertices === 0) return null;
   const varied = leftBehind(design);
+  const { label, run } = EXPLORING_COMMANDS.continueFromShape;
   return (
     <>
       <button
@@ -18,9 +19,9 @@ export function ContinueButton() {
         title="This shape becomes the mesh that edits start from; handles and variations are cleared"
         aria-describedby={varied ? "continue-about" : undefined}
         disabled={!page.ready.value}
-        onClick={() => void MORE_COMMANDS.continueFromShape.run(page)}
+        onClick={() => void run(page)}
       >
-        {MORE_COMMANDS.continueFromShape.label}
+        {label}
       </button>
       {varied && (
         <p id="continue-about" class="quiet small">

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Many handles, or many pins, as one row of the table.
 
-import type { Signal } from "@preact/signals";
-import type { HandleRow } from "../../design/design.ts";
 import { removeHandles } from "../../state/editing.ts";
 import { selectThese } from "../../state/selection.ts";
 import { Icon } from "../../ui/icon.tsx";
 import { usePage } from "../../ui/page-context.ts";
-
-interface HandleGroupProps {
-  readonly rows: readonly HandleRow[];
-  /** "pinned", "handles". */
-  readonly kind: string;
-  /** Whether they are listed one by one as well. */
-  readonly listed: Signal<boolean>;
-}
+import type { HandleGroupProps } from "../../ui/places.ts";
 
 export function HandleGroup({ rows, kind, listed }: HandleGroupProps) {
   const page = usePage();

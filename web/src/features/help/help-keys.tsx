@@ -2,8 +2,10 @@
 // The keys of the page in Help: which they are, the table of commands says.
 
 import { namesOfFormats } from "../../solver/file-formats.ts";
+import type { Page } from "../../state/page.ts";
 import type { Command } from "../../ui/commands/command.ts";
 import { COMMANDS, type CommandId } from "../../ui/commands/commands.ts";
+import { type CommandGroup, commandGroups } from "../../ui/commands/offered-commands.ts";
 import { usePage } from "../../ui/page-context.ts";
 
 interface KeyHint {
@@ -11,8 +13,8 @@ interface KeyHint {
   readonly what: string;
 }
 
-/** Every command that has a key is in one of them. */
-export const KEY_HINTS: readonly KeyHint[] = [
+/** Every command of the shell that has a key is in one of them. */
+const KEY_HINTS: readonly KeyHint[] = [
   { of: ["palette"], what: "all commands: type a few letters of one" },
   {
     of: ["lockX", "lockY", "lockZ", "lockNormal"],
@@ -23,7 +25,6 @@ export const KEY_HINTS: readonly KeyHint[] = [
     what: "hold drags to the plane across",
   },
   { of: ["pin"], what: "pins the selected points, or lets them go" },
-  { of: ["cut"], what: "cuts panels by clicks in the view, until pressed again" },
   { of: ["moveBy"], what: "moves the selected points by an amount that is typed" },
   { of: ["step"], what: "step from point to point" },
   { of: ["stepAdding"], what: "the same, and add the next point to the selection" },
@@ -35,10 +36,6 @@ export const KEY_HINTS: readonly KeyHint[] = [
     what: "perspective; top, front, side in parallel",
   },
   { of: ["fit", "fitAll"], what: "fit what is selected, or all of the model, into the view" },
-  {
-    of: ["hide", "isolate", "showAll"],
-    what: "hide the panels that are selected, or at the selected points; show only those; show all. The design keeps all of them",
-  },
   { of: ["before"], what: "held, shows the design before the edit" },
   {
     of: ["nextRegion", "previousRegion"],
@@ -54,6 +51,12 @@ export const KEY_HINTS: readonly KeyHint[] = [
     what: `opens a mesh (${namesOfFormats("3dm")}) or a design (GLB, 3DM, JSON)`,
   },
   { of: ["save"], what: "saves the design as a file that opens again (JSON)" },
+];
+
+/** The commands of the shell that have keys, then those of features. */
+export const keyGroups = (page: Page): readonly CommandGroup[] => [
+  ...KEY_HINTS.map(({ of, what }) => ({ of: of.map((id) => COMMANDS[id]), keysDo: what })),
+  ...commandGroups(page).filter(({ keysDo }) => keysDo),
 ];
 
 const NAMES: Readonly<Record<string, string>> = {
@@ -72,10 +75,10 @@ function saidOf({ keys = [] }: Command): readonly string[] {
 }
 
 /** "[Ctrl] [Z], [Ctrl] [Shift] [Z]"; keys with the same keys held are said together: "[Shift] [X] [Y]". */
-export function keysOf(ids: readonly CommandId[]): string {
+export function keysOf(commands: readonly Command[]): string {
   let before: string | null = null;
   let words = "";
-  for (const key of ids.flatMap((id) => saidOf(COMMANDS[id]))) {
+  for (const key of commands.flatMap(saidOf)) {
     const parts = key.split(/\+(?=.)/);
     const name = parts.pop() ?? "";
     const held = parts.map((part) => `[${part}] `).join("");
@@ -100,12 +103,12 @@ export function Keys({ text }: { text: string }) {
 export function HelpKeys() {
   return (
     <>
-      {KEY_HINTS.map(({ of, what }) => (
-        <div key={what}>
+      {keyGroups(usePage()).map(({ of, keysDo }) => (
+        <div key={keysDo}>
           <dt>
             <Keys text={keysOf(of)} />
           </dt>
-          <dd>{what}</dd>
+          <dd>{keysDo}</dd>
         </div>
       ))}
     </>
@@ -121,7 +124,7 @@ export function AllCommands() {
       class="button small"
       onClick={({ currentTarget }) => {
         currentTarget.closest("dialog")?.close();
-        COMMANDS.palette.run(page, "");
+        COMMANDS.palette.run(page);
       }}
     >
       {COMMANDS.palette.label}

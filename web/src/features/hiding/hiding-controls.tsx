@@ -6,12 +6,28 @@ import focus from "lucide-static/icons/focus.svg?raw";
 import { counted } from "../../quantity/counted.ts";
 import { hiddenPanels } from "../../state/hidden-panels.ts";
 import { CommandButton } from "../../ui/command-button.tsx";
-import { COMMANDS } from "../../ui/commands/commands.ts";
 import { Drawing } from "../../ui/icon.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { showAll } from "./hiding.ts";
+import { HIDING_COMMANDS } from "./hiding-commands.ts";
 import "./hiding-controls.css";
 import "../../ui/offset-note.css";
+
+const { hide, isolate } = HIDING_COMMANDS;
+
+/** Among the tools of the selected points. */
+export function SelectionSightTools() {
+  return (
+    <span class="strip-part">
+      <CommandButton
+        look="tool"
+        command={hide}
+        hint="those at these points; the design keeps them"
+      />
+      <CommandButton look="tool" command={isolate} hint="those at these points" />
+    </span>
+  );
+}
 
 export function SightTools() {
   return (
@@ -19,13 +35,13 @@ export function SightTools() {
       <CommandButton
         look="tool"
         icon={<Drawing markup={eyeOff} />}
-        command={COMMANDS.hide}
+        command={hide}
         hint="the panels at the selected points, or the selected one; the design keeps them"
       />
       <CommandButton
         look="tool"
         icon={<Drawing markup={focus} />}
-        command={COMMANDS.isolate}
+        command={isolate}
         hint="those at the selected points, or the selected one"
       />
     </span>

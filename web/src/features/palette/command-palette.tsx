@@ -4,11 +4,9 @@ import { useSignal } from "@preact/signals";
 import "./command-palette.css";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { Page } from "../../state/page.ts";
-import { ALL_COMMANDS, viewCommands } from "../../ui/commands/all-commands.ts";
+import { allCommands } from "../../ui/commands/all-commands.ts";
 import { type Command, keyOf, refusalOf } from "../../ui/commands/command.ts";
 import { usePage } from "../../ui/page-context.ts";
-
-const LISTED = ALL_COMMANDS.filter(({ unlisted }) => !unlisted);
 
 /** How well a label meets what was typed; the less, the better. */
 function rank(label: string, typed: string): number {
@@ -18,7 +16,7 @@ function rank(label: string, typed: string): number {
 }
 
 /** The commands whose labels have every word that was typed, the best first. */
-export function found(typed: string, commands: readonly Command[] = LISTED): readonly Command[] {
+export function found(typed: string, commands: readonly Command[]): readonly Command[] {
   const sought = typed.trim().toLowerCase();
   const words = sought.split(/\s+/);
   const fits = ({ label }: Command): boolean =>
@@ -77,14 +75,15 @@ function run(page: Page, command: Command | undefined, field: HTMLInputElement |
   void command.run(page, "");
 }
 
-export function CommandPalette() {
+export function CommandPalette({ more }: { more: readonly Command[] }) {
   const page = usePage();
   const field = useRef<HTMLInputElement>(null);
   const typed = useSignal("");
   const at = useSignal(0);
   // The field takes the next key.
   useLayoutEffect(() => field.current?.focus(), []);
-  const offered = found(typed.value, [...LISTED, ...viewCommands(page)]);
+  const listed = allCommands(page, more).filter(({ unlisted }) => !unlisted);
+  const offered = found(typed.value, listed);
   const onKeyDown = (event: KeyboardEvent): void => {
     if (event.isComposing || offered.length === 0) return;
     const next = moved(event.key, at.value, offered.length);

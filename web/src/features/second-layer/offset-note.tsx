@@ -37,7 +37,7 @@ function useLayer(): void {
 }
 
 /** What the second layer is, and the way to be without it. */
-export function OffsetNote() {
+function OffsetNote() {
   const page = usePage();
   useLayer();
   const [choice, layer] = [page.offsetChoice.value, page.offsetLayer.value];
@@ -50,3 +50,6 @@ export function OffsetNote() {
     </section>
   );
 }
+
+/** The layer is kept up for as long as one is chosen. */
+export const LayerNote = () => (usePage().offsetChoice.value ? <OffsetNote /> : null);

@@ -74,7 +74,7 @@ function Place() {
   );
 }
 
-export function SectionPlaneSection() {
+export function SectionControls() {
   const page = usePage();
   useEffect(() => {
     const view = viewOf(page);

@@ -13,8 +13,8 @@ import { moveTogether } from "../../state/typed-moves.ts";
 import { Ask } from "../../ui/ask.tsx";
 import { CommandButton } from "../../ui/command-button.tsx";
 import type { Command } from "../../ui/commands/command.ts";
-import { COMMANDS } from "../../ui/commands/commands.ts";
 import { NumberField } from "../../ui/number-field.tsx";
+import { SelectionSight } from "../../ui/places.ts";
 import { Measures } from "./measures.tsx";
 import { cannotEdit, SELECTION_COMMANDS } from "./selection-commands.ts";
 
@@ -31,12 +31,6 @@ const DO: readonly Tool[] = [
   [SELECTION_COMMANDS.pinSelected, "pinned points do not move"],
   [SELECTION_COMMANDS.freeSelected, "lets the pinned ones go"],
   [SELECTION_COMMANDS.removeSelected, "their pins, too"],
-];
-
-/** Of the view alone. */
-const SIGHT: readonly Tool[] = [
-  [COMMANDS.hide, "those at these points; the design keeps them"],
-  [COMMANDS.isolate, "those at these points"],
 ];
 
 const SELECT: readonly Tool[] = [
@@ -135,9 +129,11 @@ function FallOff() {
   );
 }
 
+/** Where several points are selected, or about to be; beside the view, to cover none of them. */
 export function SelectionStrip() {
   const page = usePage();
   const { length } = page.selection.value;
+  if (length < 2 && !page.areaTool.value && !page.typedMove.value) return null;
   return (
     <div
       class="selection-strip"
@@ -153,7 +149,7 @@ export function SelectionStrip() {
       <Tools tools={DO} />
       <MoveFields disabled={cannotEdit(page) !== ""} />
       <FallOff />
-      <Tools tools={SIGHT} />
+      <SelectionSight />
       <Tools tools={SELECT} />
       <Measures />
     </div>

@@ -5,11 +5,19 @@ import type { ComponentChild } from "preact";
 import { useRef } from "preact/hooks";
 import { fetchPart } from "../../state/later.ts";
 import { CommandButton } from "../../ui/command-button.tsx";
-import { COMMANDS } from "../../ui/commands/commands.ts";
-import { useDoors } from "../../ui/commands/doors.ts";
+import { type Command, notReady } from "../../ui/commands/command.ts";
+import { door, useDoor } from "../../ui/commands/doors.ts";
 import { Dialog } from "../../ui/dialog.tsx";
 import { Icon } from "../../ui/icon.tsx";
 import { usePage } from "../../ui/page-context.ts";
+
+const shareDoor = door();
+
+export const SHARE: Command = {
+  label: "Share",
+  refusal: notReady,
+  run: (page) => shareDoor(page).open(),
+};
 
 export function ShareDialog() {
   const page = usePage();
@@ -24,10 +32,10 @@ export function ShareDialog() {
     content.value = <part.SharedLink key={shared.link} shared={shared} onClose={close} />;
     dialog.current?.showModal();
   };
-  useDoors({ share: open });
+  useDoor(shareDoor, open);
   return (
     <>
-      <CommandButton look="bar-button" icon={<Icon name="share" />} command={COMMANDS.share} />
+      <CommandButton look="bar-button" icon={<Icon name="share" />} command={SHARE} />
       <Dialog dialog={dialog} id="share" title="Share this design">
         {content.value}
       </Dialog>

@@ -13,7 +13,7 @@ const AXES = ["x", "y", "z"] as const;
 const replaced = <T,>(list: readonly T[], place: number, by: T): readonly T[] =>
   list.map((one, k) => (k === place ? by : one));
 
-export function SymmetrySection() {
+export function SymmetryRule() {
   const page = usePage();
   const { across, turns } = mirrors(page).value;
   const images = mostImages(page).value;

@@ -51,9 +51,11 @@ export const KEEP_VIEW: Command = {
   },
 };
 
-/** One for each of them, as they are now. */
-export const viewCommands = (page: Page): Command[] =>
-  page.views.value.map((view) => ({
+/** One for each of them, as they are now, beside the one that keeps another. */
+export const viewCommands = (page: Page): Command[] => [
+  KEEP_VIEW,
+  ...page.views.value.map((view) => ({
     label: `View: ${view.name}`,
-    run: (on) => showView(on, view),
-  }));
+    run: (on: Page) => showView(on, view),
+  })),
+];

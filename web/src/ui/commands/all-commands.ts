@@ -2,26 +2,14 @@
 // Everything that the page can be told: what has a key or a button, and what the palette has beside it.
 import { isKind } from "../../design/kept-kind.ts";
 import { SAMPLES } from "../../design/samples.ts";
-import { NUMBER_COMMANDS } from "../../features/numbers/numbering.ts";
-import { SELECTION_COMMANDS } from "../../features/selecting/selection-commands.ts";
-import { KEEP_VIEW } from "../../features/views/named-views.ts";
-import { toggleCleanView } from "../../state/clean-view.ts";
-import {
-  goToRule,
-  goToTab,
-  layerAsked,
-  layerCalls,
-  RULES,
-  rulesInOrder,
-  viewOptionsShown,
-} from "../../state/inspector.ts";
+import { goToRule, goToTab, RULES, rulesInOrder, viewOptionsShown } from "../../state/inspector.ts";
 import { openSample } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
 import { COLOURS } from "../colours.ts";
 import { type Command, notReady } from "./command.ts";
-import { COMMANDS } from "./commands.ts";
-import { EXPORT_COMMANDS } from "./export-commands.ts";
+import { commandsAtOnce } from "./commands.ts";
+import { exportCommands } from "./export-commands.ts";
 import { MORE_COMMANDS } from "./more-commands.ts";
 
 function colourBy(kind: ColourBy, label: string): Command {
@@ -51,29 +39,15 @@ const PLACES: readonly Command[] = [
       viewOptionsShown(page).value = true;
     },
   },
-  {
-    label: "Second layer",
-    refusal: notReady,
-    run: (page) => {
-      goToTab(page, "check");
-      layerAsked(page).value = true;
-      layerCalls(page).value += 1;
-    },
-  },
-  { label: "Clean view", run: toggleCleanView },
 ];
 
-export { viewCommands } from "../../features/views/named-views.ts";
-
-/** All commands, in the order of the palette. */
-export const ALL_COMMANDS: readonly Command[] = [
-  ...Object.values(COMMANDS),
+/** All commands, in the order of the palette; `more`: those of features that are fetched with it. */
+export const allCommands = (page: Page, more: readonly Command[]): readonly Command[] => [
+  ...commandsAtOnce(page),
   ...Object.values(MORE_COMMANDS),
   ...PLACES,
-  ...Object.values(SELECTION_COMMANDS),
-  KEEP_VIEW,
-  ...NUMBER_COMMANDS,
-  ...Object.values(EXPORT_COMMANDS),
+  ...more,
+  ...exportCommands(page),
   ...COLOURS.map(([kind, label]) => colourBy(kind, label)),
   ...SAMPLES.map(
     ({ name, label }): Command => ({

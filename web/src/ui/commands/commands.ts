@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The commands that have a key or a button which is always there. Keys, buttons, Help and the palette
-// read this table; those that later parts and the palette have beside it are in more-commands.ts and
-// all-commands.ts.
+// read this table, and what features add to it; those that later parts and the palette have beside it are in
+// more-commands.ts and all-commands.ts.
 import type { ViewName } from "../../scene/framing.ts";
 import type { Viewport } from "../../scene/viewport.ts";
 import { FLAT_FIRST, toggleLock, togglePins } from "../../state/dragging.ts";
 import { redo, undo } from "../../state/editing.ts";
-import { hiddenPanels } from "../../state/hidden-panels.ts";
-import { goToTab } from "../../state/inspector.ts";
 import { fetchPart } from "../../state/later.ts";
 import type { Page } from "../../state/page.ts";
 import type { Lock } from "../../state/page-state.ts";
@@ -16,7 +14,8 @@ import { takeSnapshot } from "../../state/snapshots.ts";
 import { pickAndOpen } from "../pick-file.ts";
 import { viewOf } from "../view-slot.ts";
 import { type Command, notReady, onlyLookedAt } from "./command.ts";
-import { type Door, openDoor } from "./doors.ts";
+import { paletteDoor } from "./doors.ts";
+import { commandGroups } from "./offered-commands.ts";
 
 type Arrow = readonly [right: number, down: number];
 
@@ -61,26 +60,6 @@ const inView = (
 const named = (name: ViewName, key: string): Command =>
   inView(name, [key], (view) => view.view(name));
 
-type Hiding = typeof import("../../features/hiding/hiding.ts");
-
-const hiding = (
-  name: string,
-  label: string,
-  key: string,
-  refusal: (page: Page) => string,
-  act: (part: Hiding, page: Page) => void,
-): Command => ({
-  name,
-  label,
-  keys: [key],
-  heard: "view",
-  refusal,
-  run: async (page) => {
-    const part = await fetchPart(page, () => import("../../features/hiding/hiding.ts"));
-    if (part) act(part, page);
-  },
-});
-
 /** A drag that is free of the usual line has Alt held. */
 const withAlt = (...keys: readonly string[]): string[] => [...keys, ...keys.map((k) => `Alt+${k}`)];
 
@@ -93,12 +72,6 @@ const lockTo = (axis: Lock["axis"], name: string, key: string, plane = false): C
 
 const AXIS_NAMES = { x: "X", y: "Y", z: "Z" } as const;
 
-const door = (label: string, name: Door, more: Partial<Command> = {}): Command => ({
-  label,
-  run: (page) => openDoor(page, name),
-  ...more,
-});
-
 const goToRegion = (label: string, key: string, step: 1 | -1): Command => ({
   label,
   keys: [key],
@@ -107,32 +80,11 @@ const goToRegion = (label: string, key: string, step: 1 | -1): Command => ({
   run: () => import("../regions.ts").then((regions) => regions.goToRegion(step)),
 });
 
-const exploring = (page: Page) =>
-  fetchPart(page, () => import("../../features/exploring/exploring.ts"));
-
-const findingVariations = (page: Page) =>
-  fetchPart(page, () => import("../../features/exploring/gallery.ts"));
-
-function cannotExplore(page: Page): string {
-  const moved = page.figures.value.movedVertices > 0;
-  return notReady(page) || (moved ? "" : "There is no edit to vary: move a point first.");
-}
-
 function cannotPin(page: Page): string {
   if (!page.baseFlat.value) return FLAT_FIRST;
   const chosen = page.selection.value.length > 0;
   return notReady(page) || (chosen ? "" : "No point is selected.");
 }
-
-const cannotCut = (page: Page): string => notReady(page) || (page.baseFlat.value ? "" : FLAT_FIRST);
-
-const noPanel = (page: Page): string =>
-  page.selection.value.length > 0 || page.selectedPanel.value !== null
-    ? ""
-    : "No point or panel is selected.";
-
-const nothingHidden = (page: Page): string =>
-  hiddenPanels(page).value.size > 0 ? "" : "No panel is hidden.";
 
 /** A step back or forth under a drag would change what it goes on from. */
 const cannotStep = (page: Page): string =>
@@ -161,26 +113,13 @@ export const COMMANDS = {
     refusal: (page) => cannotStep(page) || (page.canRedo.value ? "" : "There is nothing to redo."),
     run: redo,
   },
-  share: door("Share", "share", { refusal: notReady }),
-  help: door("Help", "help"),
-  palette: door("All commands", "palette", {
+  palette: {
+    label: "All commands",
     keys: ["Ctrl+K"],
     heard: "everywhere",
     unlisted: true,
     refusal: onlyLookedAt,
-  }),
-  findVariations: {
-    label: "Find variations",
-    refusal: cannotExplore,
-    run: async (page) => (await findingVariations(page))?.findVariations(page),
-  },
-  makeExact: {
-    label: "Make exact",
-    refusal: notReady,
-    run: async (page) => {
-      goToTab(page, "check");
-      await (await exploring(page))?.makeExact(page);
-    },
+    run: (page) => paletteDoor(page).open(),
   },
   takeSnapshot: { label: "Take snapshot", refusal: notReady, run: (page) => takeSnapshot(page) },
   before: {
@@ -209,15 +148,6 @@ export const COMMANDS = {
     refusal: cannotPin,
     run: togglePins,
   },
-  cut: {
-    label: "Cut panels",
-    keys: ["K"],
-    heard: "view",
-    refusal: cannotCut,
-    run: (page: Page) => {
-      page.cutting.value = !page.cutting.value;
-    },
-  },
   moveBy: {
     label: "Move by an amount",
     keys: ["M"],
@@ -242,15 +172,6 @@ export const COMMANDS = {
   side: named("Side", "4"),
   fit: inView("Fit the selection", ["F"], (view) => view.fit(false)),
   fitAll: inView("Fit all", ["Shift+F"], (view) => view.fit(true)),
-  hide: hiding("Hide", "Hide the selected panels", "H", noPanel, (part, page) =>
-    part.hideSelected(page),
-  ),
-  isolate: hiding("Isolate", "Show only the selected panels", "I", noPanel, (part, page) =>
-    part.isolateSelected(page),
-  ),
-  showAll: hiding("Show all", "Show all panels", "Shift+H", nothingHidden, (part, page) =>
-    part.showAll(page),
-  ),
   zoomIn: inView("Zoom in", ["+", "="], (view) => view.zoom(0.88)),
   zoomOut: inView("Zoom out", ["-"], (view) => view.zoom(1 / 0.88)),
   giveUp: inView("Clear the selection", withAlt("Escape", "Shift+Escape"), (view) => view.escape()),
@@ -265,8 +186,12 @@ export const COMMANDS = {
 
 export type CommandId = keyof typeof COMMANDS;
 
-const ALL: readonly Command[] = Object.values(COMMANDS);
+/** What has a key or a button: of the shell, and of features. */
+export const commandsAtOnce = (page: Page): readonly Command[] => [
+  ...Object.values(COMMANDS),
+  ...commandGroups(page).flatMap((group) => group.of),
+];
 
 /** What a key means, as keys.ts spells it. */
-export const commandOf = (key: string): Command | undefined =>
-  ALL.find(({ keys }) => keys?.includes(key));
+export const commandOf = (page: Page, key: string): Command | undefined =>
+  commandsAtOnce(page).find(({ keys }) => keys?.includes(key));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every way out of the page but the link, as the menu Export and the palette offer them.
 import { fetchPart } from "../../state/later.ts";
-import type { Page } from "../../state/page.ts";
+import { kept, type Page } from "../../state/page.ts";
 import { type Command, notReady } from "./command.ts";
-import { type Door, openDoor } from "./doors.ts";
 
 type Exporting = typeof import("../../export/exporting.ts");
 
-interface ExportCommand extends Command {
+export interface ExportCommand extends Command {
   readonly name: string;
   readonly about: string;
 }
@@ -28,14 +27,6 @@ const file = (
   },
 });
 
-const dialog = (name: string, about: string, door: Door): ExportCommand => ({
-  label: name,
-  name,
-  about,
-  refusal: notReady,
-  run: (page) => openDoor(page, door),
-});
-
 export const EXPORT_COMMANDS = {
   obj: file("OBJ", "Polygons, every digit", (part, page) => part.exportMesh(page, "obj")),
   glb: file("GLB", "3D scene, polygons kept", (part, page) => part.exportMesh(page, "glb")),
@@ -45,7 +36,7 @@ export const EXPORT_COMMANDS = {
     part.exportDesign(page),
   ),
   png: file("PNG", "Picture of this view", (part, page) => part.exportPicture(page)),
-  package: dialog("Cutting package…", "DXF and tables (zip)", "package"),
-  drawings: dialog("Drawings…", "Plan, elevations, section", "drawings"),
-  ifc: dialog("IFC…", "Plates for building models", "ifc"),
 } as const;
+
+/** Those of features, too, which come last. */
+export const exportCommands = kept((): ExportCommand[] => Object.values(EXPORT_COMMANDS));

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 
-import { counted } from "../quantity/counted.ts";
-import { CommandButton } from "./command-button.tsx";
-import { COMMANDS } from "./commands/commands.ts";
-import { later } from "./later.tsx";
-import { usePage } from "./page-context.ts";
-import { Slider } from "./slider.tsx";
-
-const VariationSliders = later(() =>
-  import("../features/exploring/variation-sliders.tsx").then((part) => part.VariationSliders),
-);
-
-const VariationGallery = later(() =>
-  import("../features/exploring/variation-gallery.tsx").then((part) => part.VariationGallery),
-);
-
-const ContinueButton = later(() =>
-  import("../features/exploring/continue-button.tsx").then((part) => part.ContinueButton),
-);
+import { counted } from "../../quantity/counted.ts";
+import { goToTab } from "../../state/inspector.ts";
+import { CommandButton } from "../../ui/command-button.tsx";
+import { usePage } from "../../ui/page-context.ts";
+import { Slider } from "../../ui/slider.tsx";
+import { ContinueButton } from "./continue-button.tsx";
+import { EXPLORING_COMMANDS } from "./exploring-commands.ts";
+import { VariationGallery } from "./variation-gallery.tsx";
+import { VariationSliders } from "./variation-sliders.tsx";
 
 /** A few sliders around the edit that act instantly, and designs to choose from. */
 export function ExploreSection() {
@@ -71,11 +62,29 @@ export function ExploreSection() {
       </p>
       <CommandButton
         look={possible && !varied ? "button wide primary" : "button wide"}
-        command={COMMANDS.findVariations}
+        command={EXPLORING_COMMANDS.findVariations}
       />
       <VariationSliders />
       <ContinueButton />
       <VariationGallery />
     </section>
+  );
+}
+
+/** What is done after an edit is in the other tabs. */
+export function NextSteps() {
+  const page = usePage();
+  if (!page.ready.value || page.figures.value.movedVertices === 0) return null;
+  const { label, run } = EXPLORING_COMMANDS.findVariations;
+  return (
+    <div class="next-steps">
+      <span class="quiet small">Next:</span>
+      <button type="button" class="button small" onClick={() => void run(page)}>
+        {label}
+      </button>
+      <button type="button" class="button small" onClick={() => goToTab(page, "check")}>
+        Check its panels
+      </button>
+    </div>
   );
 }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 
-import { isFlat } from "../design/flatness.ts";
-import type { Page } from "../state/page.ts";
-import { CommandButton } from "./command-button.tsx";
-import { keyOf } from "./commands/command.ts";
-import { COMMANDS } from "./commands/commands.ts";
-import { later } from "./later.tsx";
-import { usePage } from "./page-context.ts";
-
-const Verdict = later(() =>
-  import("../features/analysis/panel-notes.tsx").then((part) => part.Verdict),
-);
-
-const PanelsTable = later(() =>
-  import("../features/panels/panels-table.tsx").then((part) => part.PanelsTable),
-);
+import { isFlat } from "../../design/flatness.ts";
+import type { Page } from "../../state/page.ts";
+import { CommandButton } from "../../ui/command-button.tsx";
+import { keyOf } from "../../ui/commands/command.ts";
+import { COMMANDS } from "../../ui/commands/commands.ts";
+import { usePage } from "../../ui/page-context.ts";
+import { PanelLists, Verdicts } from "../../ui/places.ts";
+import { EXPLORING_COMMANDS } from "./exploring-commands.ts";
 
 function hold(page: Page, on: boolean): void {
   page.showBefore.value = on;
@@ -29,11 +22,11 @@ export function ExactSection() {
       <h2 id="step-exact" class="visually-hidden">
         Make exact
       </h2>
-      <Verdict />
+      <Verdicts />
       <div class="row">
         <CommandButton
           look={exact ? "button grow" : "button grow primary"}
-          command={COMMANDS.makeExact}
+          command={EXPLORING_COMMANDS.makeExact}
         />
         <button
           type="button"
@@ -50,7 +43,7 @@ export function ExactSection() {
           Before
         </button>
       </div>
-      <PanelsTable />
+      <PanelLists />
     </section>
   );
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the dialogs for the workshop hold.
 
-import { CuttingPackage } from "../features/shop/cutting-package.tsx";
-import { IfcModel } from "../features/shop/ifc-model.tsx";
-import { StructureDrawings } from "../features/shop/structure-drawings.tsx";
-import type { DialogPart } from "./later-dialog.tsx";
+import type { DialogPart } from "../../ui/later-dialog.tsx";
+import { CuttingPackage } from "./cutting-package.tsx";
+import { IfcModel } from "./ifc-model.tsx";
+import { StructureDrawings } from "./structure-drawings.tsx";
 
 export const shopDialogs = {
   package: { title: "Cutting package", Content: CuttingPackage },

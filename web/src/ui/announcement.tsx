@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What lies over the view, or is read aloud of it, once the page can be used.
 
-import { HiddenNote } from "../features/hiding/hiding-controls.tsx";
-import { ReceivedNote } from "../features/notes/note-section.tsx";
-import { OffsetNote } from "../features/second-layer/offset-note.tsx";
-import { FingerOffer } from "../features/touch/finger-offer.tsx";
 import { fingerDrag } from "../state/finger-drag.ts";
-import { hiddenPanels } from "../state/hidden-panels.ts";
 import type { Page } from "../state/page.ts";
-import { arrivedNote } from "../state/receiving.ts";
 import { usePage } from "./page-context.ts";
 import { meaning } from "./point-figure.tsx";
 
@@ -24,26 +17,11 @@ function selectionWords(page: Page): string {
 }
 
 /** Says what is selected to those who do not see it. */
-function Announcement() {
+export function Announcement() {
   const page = usePage();
   return (
     <p class="visually-hidden" aria-live="polite">
       {selectionWords(page)}
     </p>
-  );
-}
-
-export { SightTools } from "../features/hiding/hiding-controls.tsx";
-
-export function ViewNotes() {
-  const page = usePage();
-  return (
-    <>
-      <Announcement />
-      {arrivedNote(page).value && <ReceivedNote />}
-      <FingerOffer />
-      {page.offsetChoice.value && <OffsetNote />}
-      {hiddenPanels(page).value.size > 0 && <HiddenNote />}
-    </>
   );
 }
