@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In how many places by hand a kind, an option or a format is added: tests/additions names them one by
+// In how many places by hand a kind, an option, a format or a feature is added: tests/additions names them one by
 // one. The build for sanitizers makes those of C++ in copies and runs them (tests/unit/additions_test.cpp,
 // example_kind_test.cpp); the others are made here.
 import { readFileSync } from "node:fs";
@@ -36,6 +36,8 @@ const PLACES: readonly (readonly [Addition, number])[] = [
   ["list option", 8],
   // Far from one: the core has one row beside the reader; each of the others is held to it by tests/parity/formats.test.ts.
   ["format", 8],
+  // Its folder, here one file, and a line of the table.
+  ["feature", 2],
 ];
 
 it.each(PLACES)("a %s is added in %i places", (name, count) => {
