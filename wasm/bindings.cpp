@@ -89,7 +89,7 @@ val replayed(const Session& s) {
   return value;
 }
 val mark_of(const val& moved, const val& positions) {
-  return to_value(planish::mark_of(to_indices(moved), to_positions(positions)));
+  return to_value(planish::mark_of({to_indices(moved), to_positions(positions)}));
 }
 std::uint32_t base_hash(const Session& s) { return planish::mesh_hash(s.uncut()); }
 std::string explore(Session& s, const val& family) {

@@ -55,10 +55,10 @@ Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
   lower_at_once_ = false;
   subspace_.reset();
   replayed_ = {.directions = done.directions, .centre = {}, .deviation = done.deviation};
-  if (done.subspace) {
-    replayed_.centre = shape_of(done.centre);
+  if (done.family) {
+    replayed_.centre = shape_of(done.family->centre);
     show(replayed_.centre.moved, replayed_.centre.positions);
-    take_subspace(std::move(*done.subspace));
+    take_subspace(std::move(done.family->subspace));
   }
   const Shape shape = shape_of(done.shape);
   show(shape.moved, shape.positions);

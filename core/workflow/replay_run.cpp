@@ -29,15 +29,16 @@ Json replay_json(const Design& design, const Replay& replayed) {
   if (replayed.symmetry) {
     json["symmetry"] = symmetry_json(*replayed.symmetry, replayed.base, replayed.shape);
   }
-  if (replayed.subspace) {
-    json["subspace"] = subspace_json(replayed.subspace->report, replayed.subspace->dimension());
+  if (replayed.family) {
+    const Subspace& subspace = replayed.family->subspace;
+    json["subspace"] = subspace_json(subspace.report, subspace.dimension());
   }
   return json;
 }
 
 std::string shape_bytes(const std::string& name, Design design, const Replay& replayed) {
   GlbContent content;
-  if (replayed.subspace) content.variations = variations_of(*replayed.subspace);
+  if (replayed.family) content.variations = variations_of(replayed.family->subspace);
   content.design = design_for_glb(std::move(design));
   return moved_mesh_bytes(name, replayed.base, replayed.shape, std::move(content));
 }

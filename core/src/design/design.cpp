@@ -2,6 +2,7 @@
 #include "planish/design/design.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -14,7 +15,6 @@
 #include "planish/measures/metrics.hpp"
 #include "planish/shapes/shapes.hpp"
 #include "planish/text/number.hpp"
-#include "planish/variations/exact_variation.hpp"
 
 namespace planish {
 namespace {
@@ -34,24 +34,10 @@ double to_twelve_digits(double value) {
   return parse_number(text).value_or(value);
 }
 
-struct Moved {
-  std::vector<int> vertices;  ///< ascending
-  Positions positions;        ///< 3 × |vertices|
-};
-
-Moved moved_between(const Mesh& base, const Positions& shape) {
-  Moved moved;
-  for (int v = 0; v < base.vertex_count(); ++v) {
-    if (shape.col(v) != base.positions.col(v)) moved.vertices.push_back(v);
-  }
-  moved.positions = shape(Eigen::all, moved.vertices);
-  return moved;
-}
-
-std::uint32_t hash_of(const std::vector<int>& vertices, const Positions& positions) {
-  const std::uint32_t indices = crc32(bytes_of(vertices.data(), vertices.size()));
-  const auto count = static_cast<std::size_t>(positions.size());
-  return crc32(bytes_of(positions.data(), count), indices);
+std::uint32_t hash_of(const SparseShape& shape) {
+  const std::uint32_t indices = crc32(bytes_of(shape.moved.data(), shape.moved.size()));
+  const auto count = static_cast<std::size_t>(shape.positions.size());
+  return crc32(bytes_of(shape.positions.data(), count), indices);
 }
 
 /// The mesh of the source, or a sentence.
@@ -103,128 +89,67 @@ std::variant<Mesh, std::string> open_base(const Design& design, const Mesh* give
   return opened;
 }
 
-/// Replays the steps of one design on its base.
-class Player {
- public:
-  /// @param targets of the design, with their images where there is a symmetry and what cuts added
-  Player(Mesh base, const Design& design, const EditTargets& targets,
-         std::shared_ptr<const MeshSymmetry> symmetry, const Progress& progress)
-      : design_(design), targets_(targets), symmetry_(std::move(symmetry)), progress_(progress) {
-    result_.base = std::move(base);
-    result_.shape = result_.base.positions;
+/// A sentence if `design` does not fit the base that it is to be done again on.
+/// @param stated its targets without images
+Refusal find_misfit(const Design& design, const Mesh& base, const EditTargets& stated) {
+  if (auto problem = find_problem(stated, base)) return problem;
+  if (design.targets.handles.empty()) return std::nullopt;  // it is its base, whatever that is
+  if (planarity_summary(base).max_excess > design.options.tolerance) {
+    return "the mesh has panels that are not flat, and the design does not planarise it";
   }
-
-  /// A sentence if the design does not fit its base.
-  /// @param stated its targets without images
-  Refusal check(const EditTargets& stated) {
-    if (auto problem = find_problem(stated, result_.base)) return problem;
-    if (design_.targets.handles.empty()) return std::nullopt;  // it is its base, whatever that is
-    if (planarity_summary(result_.base).max_excess > design_.options.tolerance) {
-      return "the mesh has panels that are not flat, and the design does not planarise it";
+  if (auto broken = find_broken_constraint(base, design.options)) return broken;
+  for (const DesignVariation& variation : design.variations) {
+    for (const int v : variation.close) {
+      if (v >= base.vertex_count()) return "variations: close names a vertex too many";
     }
-    if (auto broken = find_broken_constraint(result_.base, design_.options)) return broken;
-    for (const DesignVariation& variation : design_.variations) {
-      for (const int v : variation.close) {
-        if (v >= result_.base.vertex_count()) return "variations: close names a vertex too many";
-      }
-    }
-    keeps_ = kept_by_variations(result_.base, targets_, design_.options, symmetry_);
-    return std::nullopt;
   }
+  return std::nullopt;
+}
 
-  void edit() {
-    result_.report.status = SolveStatus::kConverged;
-    if (design_.targets.handles.empty()) return;
-    HandleEditSolver solver(result_.base, design_.options);
-    const HandleEditResult edited = symmetry_
-                                        ? solver.solve_symmetric(targets_, *symmetry_, progress_)
-                                        : solver.solve(targets_, progress_);
-    result_.report = edited.report;
-    if (edited.report.usable()) result_.shape = apply(result_.base, edited);
+/// False if the shape stays where it was before this variation.
+bool vary(const DesignSteps& steps, const DesignVariation& variation, const Progress& progress,
+          Replay& done) {
+  if (steps.find_no_variations(done.shape)) return false;
+  VariationFamily found = steps.explore(done.shape, variation.options, variation.close, progress);
+  done.directions.push_back(found.subspace.dimension());
+  if (found.subspace.dimension() == 0) return false;
+  const std::vector<double>& values = variation.coefficients;
+  done.shape = found.shape_at(Eigen::VectorXd::Map(values.data(), std::ssize(values)));
+  done.family = std::move(found);
+  done.exact.reset();
+  if (!variation.exact) return true;
+  const ProjectionResult exact =
+      steps.make_exact(&*done.family, done.shape, variation.exact_fairness, progress);
+  done.exact = exact.report;
+  if (!exact.report.usable()) {
+    done.report = exact.report;
+    return false;
   }
-
-  /// False if the shape stays where it was before this variation.
-  bool vary(const DesignVariation& variation) {
-    if (result_.shape == result_.base.positions) return false;  // variations are around an edit
-    SubspaceOptions options = variation.options;
-    options.fairness = design_.options.fairness;
-    options.engine = design_.options.engine;
-    const std::vector<int> close =
-        variation.close.empty() ? handle_vertices(design_.targets) : variation.close;
-    Subspace found =
-        compute_subspace(result_.base, result_.shape, close, options, keeps_, progress_);
-    result_.directions.push_back(found.dimension());
-    if (found.dimension() == 0) return false;
-    result_.centre = result_.shape;
-    result_.exact.reset();
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(found.dimension());
-    const Eigen::Index given = static_cast<Eigen::Index>(variation.coefficients.size());
-    for (Eigen::Index k = 0; k < std::min(given, values.size()); ++k) {
-      values[k] = variation.coefficients[static_cast<std::size_t>(k)];
-    }
-    result_.shape = with_sliders(found, values, std::move(result_.shape));
-    result_.subspace = std::move(found);
-    return !variation.exact || make_exact(variation.exact_fairness);
-  }
-
-  Replay finish() {
-    result_.mark = mark_of(result_.base, result_.shape);
-    if (symmetry_) result_.symmetry = *symmetry_;
-    if (design_.result) {
-      result_.deviation = planish::deviation(*design_.result, result_.base, result_.shape);
-      result_.verified = result_.deviation == 0.0;
-      result_.agrees = result_.deviation <= agreement(result_.base);
-    }
-    return std::move(result_);
-  }
-
- private:
-  bool make_exact(double fairness_weight) {
-    const ProjectionResult exact =
-        planish::make_exact({result_.base, result_.centre, result_.shape}, design_.options,
-                            fairness_weight, keeps_, progress_);
-    result_.exact = exact.report;
-    if (!exact.report.usable()) {
-      result_.report = exact.report;
-      return false;
-    }
-    result_.shape(Eigen::all, exact.moved) = exact.moved_positions;
-    return true;
-  }
-
-  const Design& design_;
-  const EditTargets& targets_;
-  std::shared_ptr<const MeshSymmetry> symmetry_;  ///< null: none
-  const Progress& progress_;
-  KeptByVariations keeps_;
-  Replay result_;
-};
+  done.shape(Eigen::all, exact.moved) = exact.moved_positions;
+  return true;
+}
 
 }  // namespace
 
-DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions) {
-  const std::size_t count = vertices.size();
-  DesignMark mark{
-      .hash = hash_of(vertices, positions), .moved = static_cast<int>(count), .probes = {}};
+DesignMark mark_of(const SparseShape& shape) {
+  const std::size_t count = shape.moved.size();
+  DesignMark mark{.hash = hash_of(shape), .moved = static_cast<int>(count), .probes = {}};
   const std::size_t stride = std::max<std::size_t>(1, count / kProbes);
   for (std::size_t k = stride / 2; k < count && mark.probes.size() < kProbes; k += stride) {
-    const Eigen::Vector3d p = positions.col(static_cast<Eigen::Index>(k));
-    mark.probes.push_back({vertices[k], p.unaryExpr(&to_twelve_digits)});
+    const Eigen::Vector3d p = shape.positions.col(static_cast<Eigen::Index>(k));
+    mark.probes.push_back({shape.moved[k], p.unaryExpr(&to_twelve_digits)});
   }
   return mark;
 }
 
 DesignMark mark_of(const Mesh& base, const Positions& shape) {
-  const Moved moved = moved_between(base, shape);
-  return mark_of(moved.vertices, moved.positions);
+  return mark_of(difference(base, shape));
 }
 
 double deviation(const DesignMark& mark, const Mesh& base, const Positions& shape) {
-  const Moved moved = moved_between(base, shape);
-  const bool as_many = static_cast<int>(moved.vertices.size()) == mark.moved;
-  if (as_many && hash_of(moved.vertices, moved.positions) == mark.hash) {
-    return 0.0;
-  }
+  const SparseShape moved = difference(base, shape);
+  const bool as_many = static_cast<int>(moved.moved.size()) == mark.moved;
+  if (as_many && hash_of(moved) == mark.hash) return 0.0;
   double largest = std::numeric_limits<double>::epsilon();
   for (const DesignProbe& probe : mark.probes) {
     if (probe.vertex >= shape.cols()) continue;
@@ -258,19 +183,29 @@ namespace {
 std::variant<Replay, std::string> play(Mesh base, std::shared_ptr<const MeshSymmetry> symmetry,
                                        const Design& design, const EditTargets& stated,
                                        const Progress& progress) {
-  EditTargets targets = stated;
-  if (symmetry) {
-    auto all = with_images(stated, base, *symmetry);
-    if (auto* problem = std::get_if<std::string>(&all)) return std::move(*problem);
-    targets = std::get<EditTargets>(std::move(all));
+  Replay done;
+  done.base = std::move(base);
+  done.shape = done.base.positions;
+  done.report.status = SolveStatus::kConverged;
+  const DesignSteps steps(done.base, design.options, stated, symmetry);
+  if (steps.image_problem()) return *steps.image_problem();
+  if (auto problem = find_misfit(design, done.base, stated)) return std::move(*problem);
+  if (!design.targets.handles.empty()) {
+    const HandleEditResult edited = steps.edit(progress);
+    done.report = edited.report;
+    if (edited.report.usable()) done.shape = apply(done.base, edited);
   }
-  Player player(std::move(base), design, targets, std::move(symmetry), progress);
-  if (auto problem = player.check(stated)) return std::move(*problem);
-  player.edit();
   for (const DesignVariation& variation : design.variations) {
-    if (!player.vary(variation)) break;
+    if (!vary(steps, variation, progress, done)) break;
   }
-  return player.finish();
+  done.mark = mark_of(done.base, done.shape);
+  if (symmetry) done.symmetry = *symmetry;
+  if (design.result) {
+    done.deviation = deviation(*design.result, done.base, done.shape);
+    done.verified = done.deviation == 0.0;
+    done.agrees = done.deviation <= agreement(done.base);
+  }
+  return done;
 }
 
 }  // namespace

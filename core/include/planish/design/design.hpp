@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "planish/cuts/cut_mesh.hpp"
+#include "planish/design/design_steps.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/io/gltf.hpp"
 #include "planish/mesh/mesh.hpp"
@@ -88,9 +89,7 @@ struct Design {
 /// @param shape 3 × n, the positions that the design gave
 [[nodiscard]] DesignMark mark_of(const Mesh& base, const Positions& shape);
 /// The mark of a shape of which only the moved vertices are at hand.
-/// @param vertices ascending
-/// @param positions 3 × |vertices|, none where its base has it
-[[nodiscard]] DesignMark mark_of(const std::vector<int>& vertices, const Positions& positions);
+[[nodiscard]] DesignMark mark_of(const SparseShape& shape);
 
 /// Largest distance of a probe from `shape`, model units; 0 only if `shape` is the recorded result
 /// to the last bit.
@@ -108,17 +107,16 @@ struct Replay {
   Mesh base;                   ///< what was edited: flat, planarised and cut if the design says so
   Positions shape;             ///< 3 × n, model units
   std::optional<CutMesh> cut;  ///< what the cuts made of the flat mesh; absent: none
-  std::vector<PointSupport> supports;    ///< the design's, with the points that cuts added on them
-  std::optional<MeshSymmetry> symmetry;  ///< of the base, where the design has one
-  SolveReport report;                    ///< of the edit, or of the projection that failed
-  std::vector<int> directions;           ///< that each variation found, up to one that found none
-  Positions centre;                      ///< 3 × n: what the last of them was found around
-  std::optional<Subspace> subspace;      ///< of the last variation
-  std::optional<SolveReport> exact;      ///< of the projection that made it exact
-  DesignMark mark;                       ///< of `shape`
-  bool verified = false;                 ///< `shape` is the recorded result, bit for bit
-  bool agrees = false;                   ///< so are its probes, up to rounding: see agreement()
-  double deviation = 0.0;                ///< from the recorded probes, model units
+  std::vector<PointSupport> supports;     ///< the design's, with the points that cuts added on them
+  std::optional<MeshSymmetry> symmetry;   ///< of the base, where the design has one
+  SolveReport report;                     ///< of the edit, or of the projection that failed
+  std::vector<int> directions;            ///< that each variation found, up to one that found none
+  std::optional<VariationFamily> family;  ///< that the last variation is of
+  std::optional<SolveReport> exact;       ///< of the projection that made it exact
+  DesignMark mark;                        ///< of `shape`
+  bool verified = false;                  ///< `shape` is the recorded result, bit for bit
+  bool agrees = false;                    ///< so are its probes, up to rounding: see agreement()
+  double deviation = 0.0;                 ///< from the recorded probes, model units
 };
 
 /// Does `design` again, for everybody: page, packages and command.
