@@ -330,12 +330,9 @@ Design to_recipe(const val& value) {
     design.cuts.push_back(std::get<Cut>(std::move(cut)));
   }
   for (const val& one : emscripten::vecFromJSArray<val>(value["variations"])) {
-    DesignVariation variation{.options = to_subspace_options(one),
-                              .coefficients = numbers_of(one["coefficients"]),
-                              .exact = true};
-    variation.options.fairness = design.options.fairness;
-    variation.options.engine = design.options.engine;
-    design.variations.push_back(std::move(variation));
+    design.variations.push_back({.options = to_subspace_options(one),
+                                 .coefficients = numbers_of(one["coefficients"]),
+                                 .exact = true});
   }
   if (const val mark = value["result"]; !mark.isNull()) design.result = to_mark(mark);
   return design;

@@ -2,7 +2,6 @@
 #include "session.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -13,7 +12,6 @@
 #include "planish/numeric/stopwatch.hpp"
 #include "planish/problem/mesh_standing.hpp"
 #include "planish/shapes/shapes.hpp"
-#include "planish/variations/exact_variation.hpp"
 #include "refused_outcome.hpp"
 
 namespace planish {
@@ -52,7 +50,7 @@ Refusal Session::open_file(std::string_view bytes, const std::string& format) {
 void Session::adopt(Mesh mesh, std::vector<std::string> warnings) {
   solver_.reset();  // it may refer to the old base
   symmetry_.reset();
-  subspace_.reset();
+  family_.reset();
   cut_.reset();
   kept_.reset();
   supports_ = stated_supports_;
@@ -95,14 +93,11 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   const Stopwatch watch;
   if (!solver_) solver_.emplace(base_, options_);
   lower_at_once_ = false;
-  HandleEditResult result;
-  if (!symmetry_) {
-    result = solve(mode, targets, budget_seconds);
-  } else if (const Refusal refusal = solve_symmetric(mode, targets, budget_seconds, result)) {
-    return refusal;
-  }
+  const DesignSteps steps = steps_of(targets);
+  if (Refusal refusal = find_image_problem(steps)) return refusal;
+  const HandleEditResult result = solve(mode, steps, targets, budget_seconds);
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
-  subspace_.reset();
+  family_.reset();
   targets_ = std::move(targets);
   show(result.moved, result.moved_positions);
   follows_path_ = mode == EditMode::kDrag;
@@ -110,9 +105,13 @@ Refusal Session::edit(EditMode mode, EditTargets targets, double budget_seconds)
   return std::nullopt;
 }
 
-HandleEditResult Session::solve(EditMode mode, EditTargets& targets, double budget_seconds) {
-  if (mode == EditMode::kDrag) return solver_->drag(targets, budget_seconds);
-  return mode == EditMode::kRelease ? release(targets) : solver_->solve(targets, progress_);
+/// A release under a symmetry is what the targets alone give: of a path that a drag took there are
+/// no images.
+HandleEditResult Session::solve(EditMode mode, const DesignSteps& steps, EditTargets& targets,
+                                double budget_seconds) {
+  if (mode == EditMode::kDrag) return solver_->drag(steps.images(), budget_seconds);
+  if (mode == EditMode::kRelease && !symmetry_) return release(targets);
+  return steps.edit(*solver_, progress_);
 }
 
 Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
@@ -126,53 +125,38 @@ Refusal Session::restore(EditTargets targets, const std::vector<int>& moved,
       !positions.allFinite()) {
     return "This design does not belong to the mesh that is open.";
   }
-  if (!keep_variations) subspace_.reset();
+  if (!keep_variations) family_.reset();
   targets_ = std::move(targets);
   show(moved, positions);
   report_unsolved(0.0);
   return std::nullopt;
 }
 
-Refusal Session::explore(SubspaceOptions options) {
-  options.fairness = options_.fairness;
-  options.engine = options_.engine;
+Refusal Session::explore(const SubspaceOptions& options) {
   if (const Refusal refusal = require_flat_base()) return refusal;
   if (const auto problem = find_problem(options)) return *problem;
-  if (options_.keep_bends) return "Variations make panels flat: there are none of bent panels.";
-  if (moved_.empty()) return "Move a point first: variations are found around an edit.";
-  const std::vector<int> close = handle_vertices(targets_);
+  const DesignSteps steps = steps_of(targets_);
+  if (const auto why = steps.find_no_variations(current_)) {
+    return *why == NoVariations::kBentPanels
+               ? "Variations make panels flat: there are none of bent panels."
+               : "Move a point first: variations are found around an edit.";
+  }
   const Stopwatch watch;
-  const KeptByVariations keeps = kept();
-  if (!measure_standing(shown_mesh(), adjacency_, keeps.kinds).failing.empty())
+  if (!measure_standing(shown_mesh(), adjacency_, kept_kinds(options_)).failing.empty())
     return "Make the design exact first.";
-  Subspace found = compute_subspace(base_, current_, close, options, keeps, progress_);
-  if (found.dimension() == 0) return "No variation was found around this edit.";
-  take_subspace(std::move(found));
-  variations_report_ = {.subspace = subspace_->report,
-                        .dimension = static_cast<int>(subspace_->dimension()),
-                        .seconds = watch.seconds()};
+  VariationFamily found = steps.explore(current_, options, {}, progress_);
+  const Subspace& subspace = found.subspace;
+  if (subspace.dimension() == 0) return "No variation was found around this edit.";
+  variations_report_ = {subspace.report, subspace.dimension(), watch.seconds()};
+  family_ = std::move(found);
   return std::nullopt;
 }
 
-/// Takes a subspace around the design shown. Vertices of the edit that no vector moves belong to
-/// every variation too.
-void Session::take_subspace(Subspace found) {
-  subspace_ = std::move(found);
-  varied_shape_.moved.clear();
-  std::set_union(moved_.begin(), moved_.end(), subspace_->support.begin(), subspace_->support.end(),
-                 std::back_inserter(varied_shape_.moved));
-  varied_shape_.positions = current_(Eigen::all, varied_shape_.moved);
-  varied_rows_.clear();
-  for (const int v : subspace_->support) {
-    const auto place = std::lower_bound(varied_shape_.moved.begin(), varied_shape_.moved.end(), v);
-    varied_rows_.push_back(place - varied_shape_.moved.begin());
-  }
-}
-
 Refusal Session::check_coefficients(const Eigen::VectorXd& coefficients) const {
-  if (!subspace_) return "Find variations first.";
-  if (coefficients.size() != subspace_->dimension() || !coefficients.allFinite()) {
-    return "This edit has " + std::to_string(subspace_->dimension()) + " variations.";
+  if (!family_) return "Find variations first.";
+  const int dimension = family_->subspace.dimension();
+  if (coefficients.size() != dimension || !coefficients.allFinite()) {
+    return "This edit has " + std::to_string(dimension) + " variations.";
   }
   return std::nullopt;
 }
@@ -180,11 +164,8 @@ Refusal Session::check_coefficients(const Eigen::VectorXd& coefficients) const {
 Refusal Session::vary(const Eigen::VectorXd& coefficients) {
   if (const Refusal refusal = check_coefficients(coefficients)) return refusal;
   const Stopwatch watch;
-  evaluate(*subspace_, coefficients, varied_);
-  for (std::size_t k = 0; k < varied_rows_.size(); ++k) {
-    varied_shape_.positions.col(varied_rows_[k]) = varied_.col(static_cast<Eigen::Index>(k));
-  }
-  show(varied_shape_.moved, varied_shape_.positions);
+  const SparseShape shape = family_->slide(coefficients);
+  show(shape.moved, shape.positions);
   report_unsolved(watch.seconds());
   return std::nullopt;
 }
@@ -192,27 +173,17 @@ Refusal Session::vary(const Eigen::VectorXd& coefficients) {
 Refusal Session::project_variation(const Eigen::VectorXd& coefficients) {
   if (const Refusal refusal = check_coefficients(coefficients)) return refusal;
   const Stopwatch watch;
-  Positions positions = base_.positions;
-  positions(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
-  positions = with_sliders(*subspace_, coefficients, std::move(positions));
+  Positions positions = family_->shape_at(coefficients);
   SolveReport report;
   if (const Refusal refusal = project(positions, report)) return refusal;
-  projected_ = shape_of(positions);
+  projected_ = difference(base_, positions);
   projected_report_ = report_of(positions, projected_.moved, report, watch.seconds());
   return std::nullopt;
 }
 
-Positions Session::variations_centre() const {
-  Positions centre = base_.positions;
-  if (!subspace_) return centre;
-  centre(Eigen::all, varied_shape_.moved) = varied_shape_.positions;
-  return with_sliders(*subspace_, Eigen::VectorXd::Zero(subspace_->dimension()), std::move(centre));
-}
-
 Refusal Session::project(Positions& positions, SolveReport& report) const {
-  const KeptByVariations keeps = kept();
-  ProjectionResult result =
-      planish::make_exact({base_, variations_centre(), positions}, options_, 0.0, keeps, progress_);
+  const VariationFamily* family = family_ ? &*family_ : nullptr;
+  ProjectionResult result = steps_of(targets_).make_exact(family, positions, 0.0, progress_);
   report = std::move(result.report);
   if (const Refusal refusal = unusable(report, "The projection")) return refusal;
   positions(Eigen::all, result.moved) = result.moved_positions;
@@ -224,19 +195,10 @@ Refusal Session::make_exact() {
   Positions positions = current_;
   SolveReport report;
   if (const Refusal refusal = project(positions, report)) return refusal;
-  const Shape exact = shape_of(positions);
+  const SparseShape exact = difference(base_, positions);
   show(exact.moved, exact.positions);
   renew_report(report, watch.seconds());
   return std::nullopt;
-}
-
-Shape Session::shape_of(const Positions& positions) const {
-  Shape shape;
-  for (int v = 0; v < base_.vertex_count(); ++v) {
-    if (positions.col(v) != base_.positions.col(v)) shape.moved.push_back(v);
-  }
-  shape.positions = positions(Eigen::all, shape.moved);
-  return shape;
 }
 
 void Session::show(const std::vector<int>& moved, const Positions& positions) {
@@ -328,7 +290,7 @@ Refusal Session::set_groups(const std::string& lines) {
 }
 
 GlbVariations Session::variations() const {
-  return subspace_ ? variations_of(*subspace_) : GlbVariations{};
+  return family_ ? variations_of(family_->subspace) : GlbVariations{};
 }
 
 }  // namespace planish

@@ -15,6 +15,7 @@
 
 #include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
+#include "planish/design/design_steps.hpp"
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
@@ -25,7 +26,6 @@
 #include "planish/splitting/split_where_needed.hpp"
 #include "planish/symmetry/symmetry.hpp"
 #include "planish/text/refusal.hpp"
-#include "planish/variations/subspace.hpp"
 #include "session_report.hpp"
 
 namespace planish {
@@ -39,12 +39,6 @@ enum class EditMode {
   kSolve,  ///< for typed targets and links: depends on the targets alone
 };
 
-/// Where a design differs from its base.
-struct Shape {
-  std::vector<int> moved;  ///< ascending
-  Positions positions;     ///< 3 × |moved|, model units
-};
-
 /// What one more cut would leave.
 struct CutTrial {
   std::string problem;       ///< why it cannot be made; "" where it can
@@ -55,7 +49,7 @@ struct CutTrial {
 /// What doing a design again gave, beside the shape that is shown.
 struct Replayed {
   std::vector<int> directions;  ///< of each variation
-  Shape centre;                 ///< what the last one was found around; empty without any
+  SparseShape centre;           ///< what the last one was found around; empty without any
   double deviation = 0.0;       ///< from the recorded result, see deviation()
 };
 
@@ -145,7 +139,7 @@ class Session {
 
   // Exploring: variations around the design shown.
   /// Fairness and engine are those of the edit.
-  [[nodiscard]] Refusal explore(SubspaceOptions options);
+  [[nodiscard]] Refusal explore(const SubspaceOptions& options);
   [[nodiscard]] Refusal vary(const Eigen::VectorXd& coefficients);
   /// The exact shape of a variation, kept in projected(); the design shown stays as it is. The same
   /// bits as vary() and make_exact().
@@ -168,7 +162,7 @@ class Session {
   /// 3 × |moved|, model units.
   [[nodiscard]] Positions moved_positions() const;
   /// What project_variation() found.
-  [[nodiscard]] const Shape& projected() const { return projected_; }
+  [[nodiscard]] const SparseShape& projected() const { return projected_; }
   /// shape_report() as it would be after showing it.
   [[nodiscard]] const ShapeReport& projected_report() const { return projected_report_; }
   [[nodiscard]] MeshReport mesh_report() const;
@@ -204,7 +198,7 @@ class Session {
   /// An edit that was shown.
   struct KeptEdit {
     EditTargets targets;
-    Shape shape;
+    SparseShape shape;
     ShapeReport report;
     bool follows_path = false;
   };
@@ -225,25 +219,19 @@ class Session {
   /// `targets` without the steps of an engine that knows none; a sentence where it knows more of
   /// the edit not.
   [[nodiscard]] Refusal require_engine(EditTargets& targets) const;
-  [[nodiscard]] HandleEditResult solve(EditMode mode, EditTargets& targets, double budget_seconds);
+  [[nodiscard]] HandleEditResult solve(EditMode mode, const DesignSteps& steps,
+                                       EditTargets& targets, double budget_seconds);
   [[nodiscard]] HandleEditResult release(EditTargets& targets);
-  /// Adds images to `targets`; none without a symmetry.
-  [[nodiscard]] Refusal add_images(EditTargets& targets) const;
-  [[nodiscard]] Refusal solve_symmetric(EditMode mode, const EditTargets& targets,
-                                        double budget_seconds, HandleEditResult& result);
-  [[nodiscard]] KeptByVariations kept() const;
-  [[nodiscard]] Eigen::Vector3d place_in(const Shape& shape, int vertex) const;
-  [[nodiscard]] bool look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const;
+  [[nodiscard]] DesignSteps steps_of(const EditTargets& targets) const {
+    return {base_, options_, targets, symmetry_};
+  }
+  [[nodiscard]] static Refusal find_image_problem(const DesignSteps& steps);
   [[nodiscard]] Refusal require_kept_constraints();
   void renew_solver();
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
-  void take_subspace(Subspace found);
-  /// 3 × n: what the sliders go out from; the base where there are none.
-  [[nodiscard]] Positions variations_centre() const;
   /// `positions` projected; a sentence if that fails, with both left as they are.
   [[nodiscard]] Refusal project(Positions& positions, SolveReport& report) const;
-  [[nodiscard]] Shape shape_of(const Positions& positions) const;
   [[nodiscard]] static WorstPanel worst_of(const PlanaritySummary& planarity);
   [[nodiscard]] bool is_base_flat() const { return base_worst_.excess <= options_.tolerance; }
   /// `positions` differ from the base at most at `moved`.
@@ -281,11 +269,8 @@ class Session {
   Positions current_;                          ///< 3 × n, the design shown
   std::vector<int> moved_;  ///< ascending: where current_ may differ from the base
   std::vector<int> dirty_;  ///< changed since take_changes(), unsorted
-  std::optional<Subspace> subspace_;
-  Positions varied_;                       ///< 3 × |subspace support|
-  Shape varied_shape_;                     ///< the edit and the support, at the last coefficients
-  std::vector<Eigen::Index> varied_rows_;  ///< of each support vertex in varied_shape_
-  Shape projected_;
+  std::optional<VariationFamily> family_;
+  SparseShape projected_;
   ShapeReport projected_report_;
   ShapeReport shape_report_;
   VariationsReport variations_report_;

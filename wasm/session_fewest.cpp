@@ -13,14 +13,14 @@ Refusal Session::fewest(EditTargets targets, const FewestOptions& asked) {
   if (const auto problem = find_problem(asked, options_, targets)) {
     return "Few panels: " + *problem + ".";
   }
-  EditTargets all = targets;
-  if (const Refusal refusal = add_images(all)) return refusal;
+  const DesignSteps steps = steps_of(targets);
+  if (Refusal refusal = find_image_problem(steps)) return refusal;
   const Stopwatch watch;
   BuildableFewest found =
-      find_buildable_fewest(base_, options_, all, asked, symmetry_.get(), progress_);
+      find_buildable_fewest(base_, options_, steps.images(), asked, symmetry_.get(), progress_);
   const HandleEditResult& result = found.edit.result;
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
-  subspace_.reset();
+  family_.reset();
   lower_at_once_ = false;
   options_ = std::move(found.options);
   renew_solver();

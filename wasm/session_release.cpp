@@ -17,27 +17,28 @@ constexpr int kPaths[] = {8, 16, 32};
 /// Of the objective: less is not lower.
 constexpr double kLower = 1e-3;
 
-}  // namespace
-
 /// Where `shape` has a vertex.
-Eigen::Vector3d Session::place_in(const Shape& shape, int vertex) const {
+Eigen::Vector3d place_in(const Mesh& base, const SparseShape& shape, int vertex) {
   const auto found = std::lower_bound(shape.moved.begin(), shape.moved.end(), vertex);
-  if (found == shape.moved.end() || *found != vertex) return base_.positions.col(vertex);
+  if (found == shape.moved.end() || *found != vertex) return base.positions.col(vertex);
   return shape.positions.col(found - shape.moved.begin());
 }
 
 /// Whether two shapes are the same one as far as eyes can tell, for an edit of `targets`.
-bool Session::look_alike(const EditTargets& targets, const Shape& a, const Shape& b) const {
+bool look_alike(const Mesh& base, const EditTargets& targets, const SparseShape& a,
+                const SparseShape& b) {
   double pull = 0.0;
   for (const auto& [vertex, target] : targets.handles) {
-    pull = std::max(pull, (target - base_.positions.col(vertex)).norm());
+    pull = std::max(pull, (target - base.positions.col(vertex)).norm());
   }
   const auto near = [&](int v) {
-    return (place_in(a, v) - place_in(b, v)).norm() <= kAsShown * pull;
+    return (place_in(base, a, v) - place_in(base, b, v)).norm() <= kAsShown * pull;
   };
   return std::all_of(a.moved.begin(), a.moved.end(), near) &&
          std::all_of(b.moved.begin(), b.moved.end(), near);
 }
+
+}  // namespace
 
 /// The first of the solves at once and by continuation that ends where the drag does at these
 /// targets, which its last frame need not have shown; the one at once where none does, or without a
@@ -48,13 +49,13 @@ HandleEditResult Session::release(EditTargets& targets) {
   if (!follows_path_ || options_.engine != Engine::kNewton || !at_once.report.usable()) {
     return at_once;
   }
-  Shape shown{moved_, moved_positions()};
+  SparseShape shown{moved_, moved_positions()};
   if (targets.handles != targets_.handles) {
     const HandleEditResult frame = solver_->drag(targets, kFrameSeconds);
     shown = {frame.moved, frame.moved_positions};
   }
   const auto is_shown = [&](const HandleEditResult& result) {
-    return look_alike(targets, shown, {result.moved, result.moved_positions});
+    return look_alike(base_, targets, shown, {result.moved, result.moved_positions});
   };
   if (is_shown(at_once)) return at_once;
   for (const int steps : kPaths) {

@@ -10,13 +10,6 @@
 namespace planish {
 namespace {
 
-/// A clause as a sentence of the page, not as a clause of the command line.
-std::string as_sentence(std::string clause) {
-  const bool is_word = clause.size() > 1 && clause[1] >= 'a' && clause[1] <= 'z';
-  if (is_word && clause[0] >= 'a' && clause[0] <= 'z') clause[0] += 'A' - 'a';
-  return clause.back() == '.' ? clause : clause + ".";
-}
-
 Refusal stopped(const Replay& replay) {
   if (auto refusal = unusable(replay.report, replay.exact ? "The projection" : "The edit")) {
     return refusal;
@@ -53,14 +46,10 @@ Refusal Session::replay(Design design, std::optional<std::uint32_t> base_hash) {
   constraints_fit_ = options_.constraints.empty() || !targets_.handles.empty();
   renew_solver();
   lower_at_once_ = false;
-  subspace_.reset();
   replayed_ = {.directions = done.directions, .centre = {}, .deviation = done.deviation};
-  if (done.family) {
-    replayed_.centre = shape_of(done.family->centre);
-    show(replayed_.centre.moved, replayed_.centre.positions);
-    take_subspace(std::move(done.family->subspace));
-  }
-  const Shape shape = shape_of(done.shape);
+  if (done.family) replayed_.centre = difference(base_, done.family->centre);
+  family_ = std::move(done.family);
+  const SparseShape shape = difference(base_, done.shape);
   show(shape.moved, shape.positions);
   renew_report(std::move(done.exact ? *done.exact : done.report), watch.seconds());
   return std::nullopt;

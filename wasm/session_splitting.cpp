@@ -13,8 +13,10 @@ std::variant<SplitEdit, std::string> Session::split_where_needed(EditTargets tar
                                                                  const SplitOptions& options) {
   if (const Refusal refusal = begin_edit(targets)) return *refusal;
   if (const Refusal problem = find_problem(options, options_, targets)) return *problem;
-  if (const Refusal refusal = add_images(targets)) return *refusal;
-  return planish::split_where_needed(base_, targets, options_, options, symmetry_.get(), progress_);
+  const DesignSteps steps = steps_of(targets);
+  if (const Refusal refusal = find_image_problem(steps)) return *refusal;
+  return planish::split_where_needed(base_, steps.images(), options_, options, symmetry_.get(),
+                                     progress_);
 }
 
 Refusal Session::split_until_flat(const Planarising& how, int most_panels) {

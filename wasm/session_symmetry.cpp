@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "planish/edit/symmetric_edit.hpp"
+#include "refused_outcome.hpp"
 #include "session.hpp"
 
 namespace planish {
@@ -15,8 +16,7 @@ namespace {
 std::string sentence_about(std::string clause) {
   constexpr std::string_view kField = "symmetry: ";
   if (clause.compare(0, kField.size(), kField) == 0) clause.erase(0, kField.size());
-  if (clause[0] >= 'a' && clause[0] <= 'z') clause[0] += 'A' - 'a';
-  return clause + ".";
+  return as_sentence(std::move(clause));
 }
 
 }  // namespace
@@ -43,29 +43,8 @@ Refusal Session::set_symmetry(const std::string& text, double tolerance) {
   return std::nullopt;
 }
 
-Refusal Session::add_images(EditTargets& targets) const {
-  if (!symmetry_) return std::nullopt;
-  auto all = with_images(targets, base_, *symmetry_);
-  if (auto* problem = std::get_if<std::string>(&all)) return sentence_about(std::move(*problem));
-  targets = std::get<EditTargets>(std::move(all));
-  return std::nullopt;
-}
-
-/// A release is what the targets alone give: of a path that a drag took there are no images.
-Refusal Session::solve_symmetric(EditMode mode, const EditTargets& targets, double budget_seconds,
-                                 HandleEditResult& result) {
-  EditTargets images = targets;
-  if (const Refusal refusal = add_images(images)) return refusal;
-  result = mode == EditMode::kDrag ? solver_->drag(images, budget_seconds)
-                                   : solver_->solve_symmetric(images, *symmetry_, progress_);
-  return std::nullopt;
-}
-
-/// What variations of the edit shown keep.
-KeptByVariations Session::kept() const {
-  EditTargets images = targets_;
-  (void)add_images(images);  // what cannot have them has none
-  return kept_by_variations(base_, images, options_, symmetry_);
+Refusal Session::find_image_problem(const DesignSteps& steps) {
+  return steps.image_problem() ? Refusal(sentence_about(*steps.image_problem())) : std::nullopt;
 }
 
 }  // namespace planish

@@ -345,8 +345,6 @@ Design read_root(const Field& root) {
     const Field variations = root.at("variations");
     for (std::size_t k = 0; k < variations.size(kMostVariations); ++k) {
       design.variations.push_back(read_variation(variations[k]));
-      design.variations.back().options.fairness = design.options.fairness;
-      design.variations.back().options.engine = design.options.engine;
     }
   }
   if (root.has("result")) design.result = read_mark(root.at("result"));
