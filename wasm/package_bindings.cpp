@@ -222,8 +222,7 @@ EMSCRIPTEN_BINDINGS(planish_package) {
   class_<EditFamily>("Family")
       .smart_ptr<FamilyHold>("FamilyHold")
       .function(
-          "dimension",
-          +[](const EditFamily& f) { return static_cast<int>(f.family.subspace.dimension()); });
+          "dimension", +[](const EditFamily& f) { return f.family.found.subspace.dimension(); });
   class_<EditVariation>("Variation")
       .smart_ptr<std::shared_ptr<EditVariation>>("VariationHold")
       .function("exact", &exact)

@@ -18,7 +18,7 @@ ExitCode run_explore(const Arguments& arguments) {
   const Eigen::VectorXd values = coefficients(arguments, asked.options.dimension);
   const EditRun run = run_edit_solver(arguments, std::move(edit));
   const auto family = find_family(run, std::move(asked), progress_line());
-  Variation variation = with_sliders(run, family, values);
+  Variation variation{values, family.found.shape_at(values), {}};
   if (arguments.has("--exact")) {
     variation = make_exact(run, family, std::move(variation), progress_line());
   }
@@ -29,7 +29,7 @@ ExitCode run_explore(const Arguments& arguments) {
   save_design(arguments, design);
   if (output) {
     save_bytes(*output, edit_bytes(*output, run, variation.positions, design,
-                                   variations_of(family.subspace)));
+                                   variations_of(family.found.subspace)));
   }
   const Json json = exploration_json(run, family, variation);
   print_messages(exploration_messages(run, variation, json));

@@ -69,7 +69,7 @@ EditFamily make_family(std::shared_ptr<const Edit> edit, const std::string& aske
 EditVariation make_variation(std::shared_ptr<const EditFamily> family, const std::string& asked) {
   const Request request(asked, family_option_rows());
   const Eigen::VectorXd values = coefficients(request, family->family.asked.options.dimension);
-  Variation shown = with_sliders(family->edit->run, family->family, values);
+  Variation shown{values, family->family.found.shape_at(values), {}};
   return {std::move(family), std::move(shown)};
 }
 
@@ -100,7 +100,7 @@ std::string bytes_of(const EditVariation& variation, const std::string& name) {
   const EditRun& run = variation.of->edit->run;
   const workflow::Family& family = variation.of->family;
   return edit_bytes(name, run, variation.variation.positions, design_of(variation),
-                    variations_of(family.subspace));
+                    variations_of(family.found.subspace));
 }
 
 Shape make_projection(const OpenMesh& mesh, const std::string& asked, const OpenMesh* reference,

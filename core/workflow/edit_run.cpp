@@ -2,6 +2,7 @@
 #include "edit_run.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "cut_run.hpp"
@@ -12,16 +13,6 @@
 #include "report.hpp"
 
 namespace planish::workflow {
-namespace {
-
-EditTargets all_images(const EditTargets& targets, const Mesh& base, const MeshSymmetry& symmetry) {
-  auto all = with_images(targets, base, symmetry);
-  if (auto* why = std::get_if<std::string>(&all)) throw UsageError(*why);
-  return std::get<EditTargets>(std::move(all));
-}
-
-}  // namespace
-
 FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Progress& progress) {
   FlatBase base{mesh, {}, std::nullopt};
   if (planarity_summary(mesh).max_excess <= options.tolerance) return base;
@@ -39,18 +30,20 @@ FlatBase flat_base(const Mesh& mesh, const HandleEditOptions& options, const Pro
 
 namespace {
 
-bool has_images(const EditRun& run) { return run.symmetry && run.symmetry->operations.size() > 1; }
+DesignSteps steps_of(const EditRun& run, const Mesh& base, const EditTargets& targets) {
+  const bool has_images = run.symmetry && run.symmetry->operations.size() > 1;
+  DesignSteps steps(base, run.asked.options, targets,
+                    has_images ? std::make_shared<const MeshSymmetry>(*run.symmetry) : nullptr);
+  if (steps.image_problem()) throw UsageError(*steps.image_problem());
+  return steps;
+}
 
 }  // namespace
 
-std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run) {
-  return has_images(run) ? std::make_shared<const MeshSymmetry>(*run.symmetry) : nullptr;
-}
-
-EditTargets targets_with_images(const EditRun& run) {
+DesignSteps steps_of(const EditRun& run) {
   EditTargets targets = run.targets;
   targets.supports = run.supports;
-  return has_images(run) ? all_images(targets, run.base.mesh, *run.symmetry) : targets;
+  return steps_of(run, run.base.mesh, targets);
 }
 
 namespace {
@@ -61,7 +54,7 @@ void check_targets(const EditRun& run) {
   if (!run.symmetry) return;
   Mesh even = run.given;
   even_out(*run.symmetry, even.face_vertices, even.positions);
-  (void)all_images(edit_targets(run.asked, even), even, *run.symmetry);
+  (void)steps_of(run, even, edit_targets(run.asked, even));
 }
 
 /// The flat base becomes what the cuts leave of it, and what was given, that parted likewise.
@@ -111,14 +104,12 @@ void check_handles_left(const EditTargets& targets, const CutMesh& cut) {
 /// What is held for the sake of few panels becomes pins; panels stay such that they can be built,
 /// where the handles arrive so.
 HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
-  const EditTargets targets = targets_with_images(run);
+  const DesignSteps steps = steps_of(run);
   HandleEditOptions& options = run.asked.options;
-  if (const auto problem = find_problem(*run.asked.fewest, options, targets)) {
-    throw UsageError(*problem);
-  }
-  const MeshSymmetry* symmetry = has_images(run) ? &*run.symmetry : nullptr;
-  BuildableFewest found =
-      find_buildable_fewest(run.base.mesh, options, targets, *run.asked.fewest, symmetry, progress);
+  const FewestOptions& asked = *run.asked.fewest;
+  if (const auto problem = find_problem(asked, options, steps.images())) throw UsageError(*problem);
+  BuildableFewest found = find_buildable_fewest(run.base.mesh, options, steps.images(), asked,
+                                                steps.symmetry(), progress);
   options = std::move(found.options);
   std::vector<int>& pins = run.targets.pins;
   pins.insert(pins.end(), found.edit.held.begin(), found.edit.held.end());
@@ -128,20 +119,13 @@ HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
 }
 
 HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
-  const HandleEditOptions& options = run.asked.options;
-  if (run.asked.splits) {
-    const EditTargets targets = targets_with_images(run);
-    const MeshSymmetry* symmetry = has_images(run) ? &*run.symmetry : nullptr;
-    SplitSolve solved =
-        solve_split(run.base.mesh, targets, options, *run.asked.splits, symmetry, progress);
-    run.splits = std::move(solved.run);
-    return std::move(solved.result);
-  }
-  if (run.asked.fewest) return solve_fewest(run, progress);
-  HandleEditSolver solver(run.base.mesh, options);
-  const EditTargets targets = targets_with_images(run);
-  if (has_images(run)) return solver.solve_symmetric(targets, *run.symmetry, progress);
-  return solver.solve(targets, progress);
+  if (run.asked.fewest && !run.asked.splits) return solve_fewest(run, progress);
+  const DesignSteps steps = steps_of(run);
+  if (!run.asked.splits) return steps.edit(progress);
+  SplitSolve solved = solve_split(run.base.mesh, steps.images(), run.asked.options,
+                                  *run.asked.splits, steps.symmetry(), progress);
+  run.splits = std::move(solved.run);
+  return std::move(solved.result);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "edit_request.hpp"
 #include "mesh_files.hpp"
 #include "planish/design/design.hpp"
+#include "planish/design/design_steps.hpp"
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/edit/symmetric_edit.hpp"
@@ -60,12 +60,9 @@ struct EditRun {
   SolveReport report;
 };
 
-/// The targets of `run` with the points that cuts added to supports, and all images under a
-/// symmetry.
-[[nodiscard]] EditTargets targets_with_images(const EditRun& run);
-
-/// Null without one, or where it has the identity alone.
-[[nodiscard]] std::shared_ptr<const MeshSymmetry> symmetry_of(const EditRun& run);
+/// The steps of `run`, which outlives them: of its base after the cuts, whose symmetry counts where
+/// it has more than the identity. Throws UsageError where its targets have no images.
+[[nodiscard]] DesignSteps steps_of(const EditRun& run);
 
 /// Planarises if needed, and edits. A stop that `progress` asks for gives kCancelled and a valid
 /// design: before the edit, the mesh as given. Throws RequestError for wrong options or targets.

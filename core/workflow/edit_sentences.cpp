@@ -61,7 +61,7 @@ BeforeKeepOuts before_keep_outs(const EditRun& run, int point, const Eigen::Vect
 /// triangles.
 bool follows_nothing(const EditRun& run, const Adjacency& adjacency, int vertex) {
   const Mesh& mesh = run.base.mesh;
-  const std::vector<int> held = held_vertices(mesh, targets_with_images(run), run.asked.options);
+  const std::vector<int> held = held_vertices(mesh, steps_of(run).images(), run.asked.options);
   bool stiff = false;
   for (const int f : adjacency.faces[vertex]) {
     stiff = stiff || mesh.face(f).size() > 3;

@@ -11,16 +11,11 @@
 #include "planish/mesh/adjacency.hpp"
 #include "planish/problem/mesh_standing.hpp"
 #include "planish/text/number.hpp"
-#include "planish/variations/exact_variation.hpp"
 #include "planish/variations/slider_stops.hpp"
 #include "projection_run.hpp"
 
 namespace planish::workflow {
 namespace {
-
-KeptKinds kinds_of(const EditRun& run) {
-  return kept_kinds(run.asked.options.tolerance, run.asked.options.constraints);
-}
 
 Violations violations_of(const EditRun& run, const Positions& positions, const KeptKinds& kept) {
   Mesh mesh = run.base.mesh;
@@ -61,8 +56,6 @@ FamilyRequest family_request(const Request& request, const HandleEditOptions& ed
   request.read("--sparse-weight", options.sparsity_weight);
   request.read("--close-weight", options.closeness_weight);
   request.read("--correlation", options.correlation);
-  options.fairness = edit.fairness;
-  options.engine = edit.engine;
   if (const auto problem = find_problem(options)) throw UsageError(*problem);
   asked.close = parse_vertices(request, "--close");
   request.read("--smooth", asked.exact_fairness);
@@ -87,28 +80,14 @@ Eigen::VectorXd coefficients(const Request& request, int dimension) {
 
 Family find_family(const EditRun& run, FamilyRequest asked, const Progress& progress) {
   check_vertices(asked.close, "--close", run.base.mesh);
-  Family family{.asked = std::move(asked),
-                .keeps = kept_by_variations(run.base.mesh, targets_with_images(run),
-                                            run.asked.options, symmetry_of(run)),
-                .subspace = {}};
-  const std::vector<int>& close = family.asked.close;
-  family.subspace = compute_subspace(
-      run.base.mesh, run.edited, close.empty() ? handle_vertices(run.targets) : close,
-      family.asked.options, family.keeps, progress, run.asked.options.executor.get());
-  return family;
-}
-
-Variation with_sliders(const EditRun& run, const Family& family, const Eigen::VectorXd& values) {
-  const Subspace& subspace = family.subspace;
-  // The solver may find fewer vectors than asked for; the sliders of the others do nothing.
-  return {values, with_sliders(subspace, values.head(subspace.dimension()), run.edited),
-          std::nullopt};
+  VariationFamily found = steps_of(run).explore(run.edited, asked.options, asked.close, progress);
+  return {std::move(asked), std::move(found)};
 }
 
 Variation make_exact(const EditRun& run, const Family& family, Variation shown,
                      const Progress& progress) {
-  shown.exact = planish::make_exact({run.base.mesh, run.edited, shown.positions}, run.asked.options,
-                                    family.asked.exact_fairness, family.keeps, progress);
+  shown.exact = steps_of(run).make_exact(&family.found, shown.positions,
+                                         family.asked.exact_fairness, progress);
   shown.positions(Eigen::all, shown.exact->moved) = shown.exact->moved_positions;
   return shown;
 }
@@ -134,7 +113,7 @@ std::optional<std::string> exact_outcome_sentence(const Variation& variation) {
 /// The sentence how much a variation that was not made exact is out of flat.
 std::optional<std::string> not_exact_sentence(const EditRun& run, const Variation& variation) {
   if (variation.exact) return std::nullopt;
-  const KeptKinds kept = kinds_of(run);
+  const KeptKinds kept = kept_kinds(run.asked.options);
   const Violations worst = violations_of(run, variation.positions, kept);
   if (is_within(worst, kept)) return std::nullopt;
   std::string sentence;
@@ -183,7 +162,7 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
   json["moved_vertices"] = (moves.array() != 0.0).colwise().any().count();
   json["max_displacement"] = moves.colwise().norm().maxCoeff();
   if (json.contains("violations")) {
-    const KeptKinds kept = kinds_of(run);
+    const KeptKinds kept = kept_kinds(run.asked.options);
     const Violations worst = violations_of(run, after, kept);
     std::vector<KindViolation> kinds = kind_violations(kept, worst, worst);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -197,12 +176,12 @@ void add_variation(Json& json, const EditRun& run, const Positions& after) {
 }  // namespace
 
 Json exploration_json(const EditRun& run, const Family& family, const Variation& variation) {
-  const Subspace& subspace = family.subspace;
+  const Subspace& subspace = family.found.subspace;
   Json json = edit_json(run, variation.positions);
   add_variation(json, run, variation.positions);
   json["subspace"] = subspace_json(subspace.report, subspace.dimension());
-  json["subspace"]["stops"] = stops_json(slider_ranges(
-      run.base.mesh, run.edited, subspace, variation.values.head(subspace.dimension())));
+  json["subspace"]["stops"] = stops_json(
+      slider_ranges(run.base.mesh, run.edited, subspace, family.found.sliders(variation.values)));
   if (variation.exact) json["exact"] = exact_json(*variation.exact);
   return json;
 }

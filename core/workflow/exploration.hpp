@@ -9,6 +9,7 @@
 
 #include "edit_run.hpp"
 #include "planish/design/design.hpp"
+#include "planish/design/design_steps.hpp"
 #include "planish/projection/projection.hpp"
 #include "planish/variations/subspace.hpp"
 #include "report.hpp"
@@ -26,7 +27,7 @@ struct FamilyRequest {
 };
 
 /// Throws UsageError.
-/// @param edit whose fairness and engine are the family's
+/// @param edit around which it is
 [[nodiscard]] FamilyRequest family_request(const Request& request, const HandleEditOptions& edit);
 
 /// Slider values, all 0 without --coefficients.
@@ -35,8 +36,7 @@ struct FamilyRequest {
 /// The variations around one edit.
 struct Family {
   FamilyRequest asked;
-  KeptByVariations keeps;
-  Subspace subspace;
+  VariationFamily found;  ///< around run.edited
 };
 
 /// Throws UsageError where there is no such vertex.
@@ -45,13 +45,9 @@ struct Family {
 /// One member of a family.
 struct Variation {
   Eigen::VectorXd values;                 ///< of the sliders, options.dimension of them
-  Positions positions;                    ///< 3 × n
+  Positions positions;                    ///< 3 × n, as they show it until it is made exact
   std::optional<ProjectionResult> exact;  ///< set once it was made exact
 };
-
-/// The variation that the sliders show. @param values options.dimension of them
-[[nodiscard]] Variation with_sliders(const EditRun& run, const Family& family,
-                                     const Eigen::VectorXd& values);
 
 /// The exact mesh next to `shown`, unmoved vertices of the base staying where they are.
 [[nodiscard]] Variation make_exact(const EditRun& run, const Family& family, Variation shown,

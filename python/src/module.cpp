@@ -120,7 +120,8 @@ void bind_edit(py::module_& module) {
            });
   py::class_<EditFamily, std::shared_ptr<EditFamily>>(module, "Family")
       .def_property_readonly(
-          "dimension", [](const EditFamily& self) { return self.family.subspace.dimension(); })
+          "dimension",
+          [](const EditFamily& self) { return self.family.found.subspace.dimension(); })
       .def("at", [](const std::shared_ptr<EditFamily>& self, const std::string& asked) {
         return make_variation(self, asked);
       });

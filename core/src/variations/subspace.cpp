@@ -363,12 +363,4 @@ void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>&
   out = (out.array() == subspace.origin.array()).select(subspace.origin, out);
 }
 
-Positions with_sliders(const Subspace& subspace,
-                       const Eigen::Ref<const Eigen::VectorXd>& coefficients, Positions shape) {
-  Positions rows;
-  evaluate(subspace, coefficients, rows);
-  shape(Eigen::all, subspace.support) = rows;
-  return shape;
-}
-
 }  // namespace planish

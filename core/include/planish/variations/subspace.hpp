@@ -86,9 +86,4 @@ struct Subspace {
 void evaluate(const Subspace& subspace, const Eigen::Ref<const Eigen::VectorXd>& coefficients,
               Positions& out);
 
-/// `shape` (3 × n) with the support where the sliders at `coefficients` have it.
-[[nodiscard]] Positions with_sliders(const Subspace& subspace,
-                                     const Eigen::Ref<const Eigen::VectorXd>& coefficients,
-                                     Positions shape);
-
 }  // namespace planish
