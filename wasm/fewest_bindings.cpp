@@ -23,14 +23,15 @@ std::string fewest(Session& s, const val& handles, const val& pins, double withi
 }
 
 val fewest_found(const Session& s) {
-  const planish::FewestFound& found = s.fewest_found();
+  const planish::FewestEdit& found = s.fewest_found().edit;
   val value = val::object();
   value.set("panels", found.panels);
   value.set("held", copy(found.held));
   value.set("reached", found.reached);
   value.set("minimal", found.minimal);
   value.set("solves", found.solves);
-  value.set("limits", planish::list_of(found.limits, planish::stated_limit_text));
+  value.set("limits",
+            planish::list_of(s.fewest_found().options.bounds, planish::stated_limit_text));
   return value;
 }
 

@@ -53,16 +53,6 @@ struct Replayed {
   double deviation = 0.0;       ///< from the recorded result, see deviation()
 };
 
-/// What fewest() found beside the shape that is shown.
-struct FewestFound {
-  int panels = 0;         ///< to be made again
-  std::vector<int> held;  ///< beside the pins that were asked for, ascending
-  bool reached = false;   ///< the handles arrive; if not, nothing is held
-  bool minimal = false;   ///< see FewestEdit
-  int solves = 0;
-  std::vector<StatedLimit> limits;  ///< those of the edit, with those found needed
-};
-
 /// As --constraint says it. What cannot be read breaks a rule of find_problem().
 [[nodiscard]] KeptConstraint read_constraint(std::string_view text);
 
@@ -117,7 +107,7 @@ class Session {
   /// are pins of the targets, its limits those of all edits.
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
   /// What the last fewest() found.
-  [[nodiscard]] const FewestFound& fewest_found() const { return fewest_found_; }
+  [[nodiscard]] const BuildableFewest& fewest_found() const { return fewest_found_; }
   /// Keeps the edit that is shown, and where a drag stands.
   void keep_edit();
   /// The next frame of the drag follows the one kept; what is shown stays.
@@ -276,7 +266,7 @@ class Session {
   VariationsReport variations_report_;
   Replayed replayed_;
   HybridStanding hybrid_;
-  FewestFound fewest_found_;
+  BuildableFewest fewest_found_;
   Progress progress_;
 };
 

@@ -19,21 +19,17 @@ Refusal Session::fewest(EditTargets targets, const FewestOptions& asked) {
   BuildableFewest found =
       find_buildable_fewest(base_, options_, steps.images(), asked, symmetry_.get(), progress_);
   const HandleEditResult& result = found.edit.result;
+  const std::vector<int>& held = found.edit.held;
   if (const Refusal refusal = unusable(result.report, "The edit")) return refusal;
   family_.reset();
   lower_at_once_ = false;
-  options_ = std::move(found.options);
+  options_ = found.options;
   renew_solver();
   targets_ = std::move(targets);
-  targets_.pins.insert(targets_.pins.end(), found.edit.held.begin(), found.edit.held.end());
+  targets_.pins.insert(targets_.pins.end(), held.begin(), held.end());
   show(result.moved, result.moved_positions);
   renew_report(result.report, watch.seconds());
-  fewest_found_ = {.panels = found.edit.panels,
-                   .held = std::move(found.edit.held),
-                   .reached = found.edit.reached,
-                   .minimal = found.edit.minimal,
-                   .solves = found.edit.solves,
-                   .limits = options_.bounds};
+  fewest_found_ = std::move(found);
   return std::nullopt;
 }
 
