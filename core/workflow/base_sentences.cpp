@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "planish/measures/metrics.hpp"
 #include "planish/text/number.hpp"
@@ -29,6 +31,19 @@ std::optional<std::string> evened_sentence(const EditRun& run) {
          " vertices by up to " + three_digits(run.evened.max_move) + " (units of the mesh)";
 }
 
+/// How many of `points` making the base flat moved, and by how much at most; by 0 where that is
+/// rounding.
+std::pair<int, double> moved_by_flattening(const EditRun& run, const std::vector<int>& points) {
+  int moved = 0;
+  double most = 0.0;
+  for (const int v : points) {
+    const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
+    moved += move > 0.0 ? 1 : 0;
+    most = std::max(most, move);
+  }
+  return {moved, most > kSupportReach * mean_edge_length(run.given) ? most : 0.0};
+}
+
 /// The sentence that making the base flat moved what points stand on, and what keeps it in place.
 std::optional<std::string> moved_support_sentence(const EditRun& run) {
   if (!run.base.planarised) return std::nullopt;
@@ -36,14 +51,12 @@ std::optional<std::string> moved_support_sentence(const EditRun& run) {
   std::string name;
   for (const PointSupport& support : run.supports) {
     if (is_spring(support)) continue;
-    for (const int v : points_of(support, run.given)) {
-      const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
-      if (move <= most) continue;
-      most = move;
-      name = support_name(support);
-    }
+    const double move = moved_by_flattening(run, points_of(support, run.given)).second;
+    if (move <= most) continue;
+    most = move;
+    name = support_name(support);
   }
-  if (most <= kSupportReach * mean_edge_length(run.given)) return std::nullopt;  // rounding
+  if (most == 0.0) return std::nullopt;
   return "that moved points of " + name + " by up to " + three_digits(most) +
          ", and the edit has them where they are since: planish project --support " + name +
          " makes the file flat with them where they stand";
@@ -52,14 +65,8 @@ std::optional<std::string> moved_support_sentence(const EditRun& run) {
 /// The sentence that making the base flat moved the boundary that the edit then keeps.
 std::optional<std::string> moved_boundary_sentence(const EditRun& run) {
   if (!run.base.planarised || !run.asked.options.keep_boundary) return std::nullopt;
-  int moved = 0;
-  double most = 0.0;
-  for (const int v : boundary_vertices(run.given)) {
-    const double move = (run.base.mesh.positions.col(v) - run.given.positions.col(v)).norm();
-    moved += move > 0.0 ? 1 : 0;
-    most = std::max(most, move);
-  }
-  if (most <= kSupportReach * mean_edge_length(run.given)) return std::nullopt;  // rounding
+  const auto [moved, most] = moved_by_flattening(run, boundary_vertices(run.given));
+  if (most == 0.0) return std::nullopt;
   return "that moved " + std::to_string(moved) + " points of the boundary by up to " +
          three_digits(most) + ", and --keep-boundary has them where they are since" +
          (run.base.how.keep_shape ? ": planish project --keep-boundary makes the file flat with "

@@ -90,7 +90,8 @@ Eigen::Vector3d way_of(const EditRun& run, const Handle& handle) {
 }
 
 /// What of the request leaves a handle no way to its target, and what would; nullopt if nothing.
-std::optional<std::string> stuck_by(const EditRun& run, const Handle& handle) {
+std::optional<std::string> stuck_by(const EditRun& run, const Adjacency& adjacency,
+                                    const Handle& handle) {
   const BeforeKeepOuts before = before_keep_outs(run, handle.vertex, way_of(run, handle));
   if (!before.enters.empty()) {
     return "its target is beyond " + before.enters +
@@ -98,18 +99,17 @@ std::optional<std::string> stuck_by(const EditRun& run, const Handle& handle) {
            ": another target or keep-out lets it move";
   }
   const std::string ways = ways_to_free(run);
-  if (!ways.empty() && follows_nothing(run, build_adjacency(run.base.mesh), handle.vertex)) {
+  if (!ways.empty() && follows_nothing(run, adjacency, handle.vertex)) {
     return "no point around it may follow; some may " + ways;
   }
   return std::nullopt;
 }
 
 /// The keep-outs that hold points of the panels around a handle where they are.
-std::optional<std::string> neighbours_rest(const EditRun& run, const Handle& handle) {
-  const Mesh& mesh = run.base.mesh;
-  const Adjacency adjacency = build_adjacency(mesh);
+std::optional<std::string> neighbours_rest(const EditRun& run, const Adjacency& adjacency,
+                                           const Handle& handle) {
   for (const int f : adjacency.faces[handle.vertex]) {
-    for (const int v : mesh.face(f)) {
+    for (const int v : run.base.mesh.face(f)) {
       const std::string rests = before_keep_outs(run, v, way_of(run, handle)).rests;
       if (rests.empty()) continue;
       return "points around it are at " + rests +
@@ -120,20 +120,20 @@ std::optional<std::string> neighbours_rest(const EditRun& run, const Handle& han
 }
 
 /// What keeps a handle from its target, as far as it is known.
-std::string held_by(const EditRun& run, const Handle& handle) {
+std::string held_by(const EditRun& run, const Adjacency& adjacency, const Handle& handle) {
   for (const PointSupport& support : run.supports) {
     const std::vector<int> points = points_of(support, run.given);
     if (!is_spring(support) && std::binary_search(points.begin(), points.end(), handle.vertex)) {
       return "it stands on " + support_name(support);
     }
   }
-  if (const auto stuck = stuck_by(run, handle)) return *stuck;
+  if (const auto stuck = stuck_by(run, adjacency, handle)) return *stuck;
   std::string bounds;
   for (const BoundStanding& bound : run.report.bounds) {
     if (!bound.binding.empty()) bounds += (bounds.empty() ? "" : ", ") + std::string(bound.name);
   }
   if (!bounds.empty()) return "held by " + bounds;
-  if (const auto rest = neighbours_rest(run, handle)) return *rest;
+  if (const auto rest = neighbours_rest(run, adjacency, handle)) return *rest;
   if (run.asked.options.hard_handles) return "flat panels were not found any nearer";
   const bool reaches = run.asked.options.reach > 0 || run.asked.options.reach_length > 0.0;
   return std::string(reaches ? "a wider --reach lets more points follow, " : "") +
@@ -179,12 +179,13 @@ std::optional<std::string> shortfall_sentence(const EditRun& run) {
   const Handle* const worst = worst_handle(run);
   if (worst == nullptr) return std::nullopt;
   const std::string name = "handle " + std::to_string(worst->vertex);
+  const Adjacency adjacency = build_adjacency(run.base.mesh);
   if (infeasible) {
-    const auto stuck = stuck_by(run, *worst);
+    const auto stuck = stuck_by(run, adjacency, *worst);
     return stuck ? std::optional(name + ": " + *stuck) : std::nullopt;
   }
   return name + " stops " + three_digits(left_of(run, *worst)) +
-         " short of its target (units of the mesh): " + held_by(run, *worst);
+         " short of its target (units of the mesh): " + held_by(run, adjacency, *worst);
 }
 
 /// Panels about the handles, with their neighbours, and panels at a limit, ascending.
