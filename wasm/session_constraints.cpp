@@ -93,23 +93,22 @@ Refusal Session::set_supports(const std::vector<std::string>& texts) {
   return std::nullopt;
 }
 
+/// The core's refusals in the words of the page: what the paper's engine knows none of, and what to
+/// do about it.
+constexpr std::pair<Beyond, std::string_view> kAdvice[] = {
+    {Beyond::kSymmetry, "symmetry: switch it off"},
+    {Beyond::kSupports, "supports: let the boundary move freely"},
+    {Beyond::kKeepOuts, "keep-outs: remove them"},
+    {Beyond::kBends, "panels that stay bent: planarise the mesh"}};
+
 Refusal Session::require_engine(EditTargets& targets) const {
-  const auto knows_no = [&](Beyond beyond) { return find_problem(options_.engine, beyond); };
-  if (knows_no(Beyond::kContinuation)) targets.continuation = 0;
-  if (symmetry_ && knows_no(Beyond::kSymmetry)) {
-    return "The paper's engine knows no symmetry: switch it off, or choose Newton.";
+  if (find_problem(options_.engine, Beyond::kContinuation)) targets.continuation = 0;
+  const Refusal refusal = find_engine_problem(options_, targets, symmetry_ != nullptr);
+  for (const auto& [beyond, advice] : kAdvice) {
+    if (!refusal || refusal != find_problem(options_.engine, beyond)) continue;
+    return "The paper's engine knows no " + std::string(advice) + ", or choose Newton.";
   }
-  if (!targets.supports.empty() && knows_no(Beyond::kSupports)) {
-    return "The paper's engine knows no supports: let the boundary move freely, or choose Newton.";
-  }
-  if (!options_.keep_outs.empty() && knows_no(Beyond::kKeepOuts)) {
-    return "The paper's engine knows no keep-outs: remove them, or choose Newton.";
-  }
-  if (options_.keep_bends && knows_no(Beyond::kBends)) {
-    return "The paper's engine knows no panels that stay bent: planarise the mesh, or choose "
-           "Newton.";
-  }
-  return find_engine_problem(options_, targets, symmetry_ != nullptr);
+  return refusal;
 }
 
 /// The supports are looked at once for a base, not in every frame: that costs O(n).
