@@ -187,7 +187,7 @@ std::variant<Replay, std::string> play(Mesh base, std::shared_ptr<const MeshSymm
   done.base = std::move(base);
   done.shape = done.base.positions;
   done.report.status = SolveStatus::kConverged;
-  const DesignSteps steps(done.base, design.options, stated, symmetry);
+  const DesignSteps steps(done.base, design.options, stated, std::move(symmetry));
   if (steps.image_problem()) return *steps.image_problem();
   if (auto problem = find_misfit(design, done.base, stated)) return std::move(*problem);
   if (!design.targets.handles.empty()) {
@@ -199,7 +199,7 @@ std::variant<Replay, std::string> play(Mesh base, std::shared_ptr<const MeshSymm
     if (!vary(steps, variation, progress, done)) break;
   }
   done.mark = mark_of(done.base, done.shape);
-  if (symmetry) done.symmetry = *symmetry;
+  if (steps.symmetry() != nullptr) done.symmetry = *steps.symmetry();
   if (design.result) {
     done.deviation = deviation(*design.result, done.base, done.shape);
     done.verified = done.deviation == 0.0;
