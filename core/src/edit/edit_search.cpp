@@ -195,22 +195,22 @@ bool EditSearch::release() {
          active_set.release(newton_.track_forces(), kAtRest * handle_scale(model_.problem()));
 }
 
-/// The engine goes on from `design`.
-void EditSearch::load(const ExactDesign& design) {
+void EditSearch::set_field(const ExactDesign& design) {
   field_.clear();
   for (std::size_t k = 0; k < design.vertices.size(); ++k) {
     field_.set_displacement(design.vertices[k],
                             design.displacement.col(static_cast<Eigen::Index>(k)));
   }
+}
+
+/// The engine goes on from `design`.
+void EditSearch::load(const ExactDesign& design) {
+  set_field(design);
   newton_.set_support(design.vertices.empty() ? model_.problem().handles : design.vertices);
 }
 
 ExactDesign EditSearch::corrected(const ExactDesign& design) {
-  field_.clear();
-  for (std::size_t k = 0; k < design.vertices.size(); ++k) {
-    field_.set_displacement(design.vertices[k],
-                            design.displacement.col(static_cast<Eigen::Index>(k)));
-  }
+  set_field(design);
   return model_.finish(design.vertices, field_);
 }
 

@@ -75,6 +75,7 @@ class EditSearch {
   [[nodiscard]] NewtonOptions engine_options() const;
   [[nodiscard]] Place place() const { return {newton_.support(), field_.snapshot()}; }
   void go_back(const Place& place);
+  void set_field(const ExactDesign& design);
   void load(const ExactDesign& design);
   [[nodiscard]] ExactDesign design() { return model_.finish(newton_.support(), field_); }
 
