@@ -36,6 +36,26 @@ class EditOutline : public testing::SupportedEdit {
   }
 };
 
+/// With the boundary kept an edit is on its outline as well. Each of these was stuck beside it.
+TEST(EditsOnAnOutline, EndNoHigherThanWithTheBoundaryKept) {
+  struct Pull {
+    int vertex;
+    double edges;
+  };
+  const Mesh mesh = testing::sample("freeform", 16);
+  for (const auto& [vertex, edges] : {Pull{183, -1.5}, Pull{71, -1.5}, Pull{182, 1.0}}) {
+    SCOPED_TRACE(vertex);
+    EditTargets targets = testing::pull(mesh, vertex, edges * Eigen::Vector3d(0.2, 0.1, 1.0));
+    const HandleEditResult kept =
+        solve_handle_edit(mesh, targets, {.reach = 6, .keep_boundary = true, .softness = 5.0});
+    targets.supports = {support("outline:boundary")};
+    const HandleEditResult free = solve_handle_edit(mesh, targets, {.reach = 6, .softness = 5.0});
+    EXPECT_LE(free.report.objective.total(), (1.0 + 1e-6) * kept.report.objective.total());
+    EXPECT_EQ(free.report.optimality && free.report.optimality->met(),
+              free.report.status == SolveStatus::kConverged);
+  }
+}
+
 TEST_P(EditOutline, HoldsInEveryEdit) {
   int converged = 0;
   for (const double move : {0.2, 0.5, 1.0, 2.0}) {

@@ -165,6 +165,16 @@ TEST(FarTargets, CanBeCancelledAtEveryStep) {
 }
 
 /// Hard targets that no flat design meets: three corners stay, the fourth is lifted.
+/// A jump to them ends where no step is possible, a path in parts does not.
+TEST(HardHandles, AreCertifiedWhereAJumpMakesNoStep) {
+  const Mesh mesh = testing::sample("dome", 16);
+  const EditTargets targets = testing::pull(mesh, 104, {0.3, 0.15, 1.5});
+  const HandleEditResult result = solve_handle_edit(
+      mesh, targets, {.hard_handles = true, .reach = 6, .keep_boundary = true, .softness = 5.0});
+  EXPECT_EQ(result.report.status, SolveStatus::kConverged);
+  EXPECT_LT(result.report.objective.total(), 2.0);  // the jump's 11.3
+}
+
 TEST_P(EditOn, ImpossibleHardHandlesAreReported) {
   const Adjacency adjacency = build_adjacency(mesh);
   const auto around = adjacency.faces[middle];

@@ -35,7 +35,23 @@ class HandlesOnTheirWay {
   std::vector<Eigen::Vector3d> targets_;
 };
 
+bool is_outline(const PointSupport& support) {
+  return support.kind == PointSupport::Kind::kOutline;
+}
+
 }  // namespace
+
+EditSearch::OtherTargets::OtherTargets(EditSearch& search, const EditTargets& now)
+    : search_(search), asked_(search.model_.targets()) {
+  take(now);
+}
+
+EditSearch::OtherTargets::~OtherTargets() { take(asked_); }
+
+void EditSearch::OtherTargets::take(const EditTargets& targets) {
+  search_.model_.set_targets(targets);
+  search_.model_.pose(targets, search_.posed_options());
+}
 
 /// Goes one part of the way, with the active set that it asks for.
 ExactDesign EditSearch::advance(bool cold, const NewtonOptions& options, const Progress& progress,
@@ -121,7 +137,7 @@ ExactDesign EditSearch::fall_back(const Progress& progress, SolveReport& report)
 /// edit's other terms: by weights that grow, for as long as that moves them.
 void EditSearch::pull_harder(const Progress& progress, ExactDesign& design, SolveReport& report) {
   constexpr double kHarder[] = {10.0, 100.0, 1000.0};  // of the attraction
-  if (model_.options().engine != Engine::kNewton || model_.options().max_iterations > 0) return;
+  if (!may_look_on()) return;
   const NewtonOptions options = engine_options();
   load(design);
   for (const double factor : kHarder) {
@@ -162,46 +178,108 @@ void EditSearch::hold_at_targets(const Progress& progress, ExactDesign& design,
 /// end against the barrier, far from the targets and from any minimum.
 bool EditSearch::stops_short(double share, const ExactDesign& design,
                              const SolveReport& report) const {
-  const bool certified = report.optimality && report.optimality->met();
-  if (certified || report.status == SolveStatus::kCancelled) return false;
+  if (is_certified(report) || report.status == SolveStatus::kCancelled) return false;
   return model_.handle_distance(design) > share * handle_scale(model_.problem());
 }
 
-/// The way in parts, where it ends lower, or at the same place with a certificate.
-void EditSearch::try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report) {
+/// The design of another way, where there was none that is acceptable, or it ends lower, or at the
+/// same place with a certificate.
+void EditSearch::try_way(const FindDesign& way, ExactDesign& design, SolveReport& report) {
+  constexpr double kSame = 1e-6;  // of the objective
   SolveReport other;
-  ExactDesign nearer = solve_in_parts(progress, other);
+  const double before = objective_or_infinite(design);  // by the active set that it ended with
+  ExactDesign found = way(other);
   other.cost += report.cost;
   other.records = std::move(report.records);
-  constexpr double kSame = 1e-6;  // of the objective
-  const double found = model_.objective(design).total();
-  const bool certified = other.optimality && other.optimality->met();
-  if (model_.objective(nearer).total() < (certified ? 1.0 + kSame : 1.0) * found) {
-    design = std::move(nearer);
+  if (objective_or_infinite(found) < (is_certified(other) ? 1.0 + kSame : 1.0) * before) {
+    design = std::move(found);
   } else {
+    model_.active_set().reset();
+    model_.active_set().update(design);
     if (other.status != SolveStatus::kCancelled) other.status = report.status;
     other.optimality = report.optimality;
   }
   report = std::move(other);
 }
 
-/// An edit whose targets are at a part of the way; the targets that were asked for stand after it.
+/// Infinite where a design is not acceptable.
+double EditSearch::objective_or_infinite(const ExactDesign& design) {
+  return model_.is_acceptable(design) ? model_.objective(design).total()
+                                      : std::numeric_limits<double>::infinity();
+}
+
+/// Whether an edit may look beside its search: by Newton's method, with all of its steps.
+bool EditSearch::may_look_on() const {
+  return model_.options().engine == Engine::kNewton && model_.options().max_iterations == 0;
+}
+
+bool EditSearch::has_outlines() const {
+  const std::vector<PointSupport>& supports = model_.targets().supports;
+  return may_look_on() && std::any_of(supports.begin(), supports.end(), is_outline);
+}
+
+/// The targets of an edit with all of its outlines' points pinned, but for handles.
+EditTargets EditSearch::with_outlines_pinned() const {
+  EditTargets held = model_.targets();
+  const std::vector<int>& handles = model_.problem().handles;
+  for (const PointSupport& support : held.supports) {
+    if (!is_outline(support)) continue;
+    for (const int v : points_of(support, model_.mesh_model().mesh)) {
+      if (!std::binary_search(handles.begin(), handles.end(), v)) held.pins.push_back(v);
+    }
+  }
+  return held;
+}
+
+/// Points on outlines rest until there is a minimum, and slide from there: where they slide at once
+/// they may take a panel to the bound of its shape. [SUP-3]
+void EditSearch::slide_from_pinned_outlines(const Progress& progress, ExactDesign& design,
+                                            SolveReport& report) {
+  const auto slide = [&](SolveReport& way) {
+    std::optional<ExactDesign> start = solve_with_pinned_outlines(progress, way);
+    if (!start) return EditModel::unmoved();
+    way.optimality.reset();  // with the points pinned it was
+    way.status = SolveStatus::kIterationLimit;
+    ExactDesign free = *start;
+    for (const bool runs : {false, true}) {  // straight to a minimum near by, or as searches go
+      if (is_certified(way) || way.status == SolveStatus::kCancelled) break;
+      const auto go_on = [&](SolveReport& on) {
+        load(*start);
+        if (runs) advance(false, engine_options(), progress, on);
+        return settle(engine_options(), progress, on);
+      };
+      try_way(go_on, free, way);
+    }
+    return free;
+  };
+  try_way(slide, design, report);
+}
+
+/// nullopt where there is none that is acceptable.
+std::optional<ExactDesign> EditSearch::solve_with_pinned_outlines(const Progress& progress,
+                                                                  SolveReport& report) {
+  const OtherTargets pinned(*this, with_outlines_pinned());
+  model_.active_set().reset();
+  ExactDesign start = solve_newton(progress, report);
+  if (report.status == SolveStatus::kCancelled || !model_.is_acceptable(start)) return std::nullopt;
+  return start;
+}
+
+/// An edit whose targets are at a part of the way.
 EditSearch::Pull EditSearch::pull(double part, const Progress& progress) {
   constexpr double kFollowed = 0.15;  // of the pull: handles that are so near have followed it
-  const EditTargets asked = model_.targets();
-  model_.set_targets(part_of(asked, part));
-  model_.pose(model_.targets(), posed_options());
-  model_.active_set().reset();
   Pull pull;
   pull.part = part;
-  pull.design = solve_newton(progress, pull.report);
-  const bool acceptable = model_.is_acceptable(pull.design);
-  pull.follows = acceptable &&
-                 model_.handle_distance(pull.design) <= kFollowed * handle_scale(model_.problem());
-  model_.set_targets(asked);
-  model_.pose(asked, posed_options());
-  pull.left =
-      acceptable ? model_.handle_distance(pull.design) : std::numeric_limits<double>::infinity();
+  bool acceptable = false;
+  {
+    const OtherTargets nearer(*this, part_of(model_.targets(), part));
+    model_.active_set().reset();
+    pull.design = solve_newton(progress, pull.report);
+    acceptable = model_.is_acceptable(pull.design);
+    pull.follows = acceptable && model_.handle_distance(pull.design) <=
+                                     kFollowed * handle_scale(model_.problem());
+  }
+  if (acceptable) pull.left = model_.handle_distance(pull.design);
   return pull;
 }
 
@@ -214,8 +292,10 @@ void EditSearch::find_nearer(const Progress& progress, ExactDesign& design, Solv
   constexpr double kFine = 1.25;        // the ratio of two pulls: nothing is looked for between
   constexpr int kMostPulls = 4;
   constexpr int kMostFactorizations = 1000;
-  if (model_.options().engine != Engine::kNewton || model_.options().max_iterations > 0) return;
-  const int most = report.cost.factorizations + kMostFactorizations;
+  constexpr int kMostOnAShortWay = 150;
+  if (!may_look_on()) return;
+  const int most =
+      report.cost.factorizations + (is_short_way() ? kMostOnAShortWay : kMostFactorizations);
   double nearest = model_.handle_distance(design);
   double low = 0.0;
   double high = 1.0;

@@ -28,11 +28,16 @@ HandleEditOptions EditSearch::posed_options() const {
 
 bool EditSearch::is_limited() const { return !model_.options().bounds.empty(); }
 
+/// Whether a way is one that a jump goes as well as parts of it do.
+bool EditSearch::is_short_way() const {
+  constexpr double kShortWay = 2.0;  // mean edges
+  return handle_scale(model_.problem()) <= kShortWay;
+}
+
 /// Along the softness, without stated limits, a short way ends where parts would.
 bool EditSearch::parts_help() const {
-  constexpr double kShortWay = 2.0;  // mean edges
   const bool ends_there = model_.options().engine == Engine::kNewton && follows_softness() &&
-                          !is_limited() && handle_scale(model_.problem()) <= kShortWay;
+                          !is_limited() && is_short_way();
   return model_.is_bounded() && !ends_there;
 }
 
@@ -71,6 +76,14 @@ void EditSearch::go_back(const Place& place) {
 }
 
 ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
+  ExactDesign design = find_freely(progress, report);
+  if (!is_certified(report) && report.status != SolveStatus::kCancelled && has_outlines()) {
+    slide_from_pinned_outlines(progress, design, report);
+  }
+  return design;
+}
+
+ExactDesign EditSearch::find_freely(const Progress& progress, SolveReport& report) {
   model_.active_set().reset();
   ExactDesign design = run_engine(progress, report);
   if (!model_.is_acceptable(design)) {
@@ -82,7 +95,10 @@ ExactDesign EditSearch::find(const Progress& progress, SolveReport& report) {
     report.status = SolveStatus::kIterationLimit;  // exact, only perhaps not at a minimum
   }
   constexpr double kShort = 0.05;
-  if (parts_help() && stops_short(kShort, design, report)) try_in_parts(progress, design, report);
+  const bool open_hard = model_.options().hard_handles && may_look_on() && !is_certified(report);
+  if (open_hard ? model_.is_bounded() : parts_help() && stops_short(kShort, design, report)) {
+    try_way([&](SolveReport& way) { return solve_in_parts(progress, way); }, design, report);
+  }
   if (stops_short(kFarShort, design, report)) find_nearer(progress, design, report);
   return design;
 }

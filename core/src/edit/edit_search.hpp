@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "engines/working_set_newton.hpp"
 
 namespace planish {
+
+using FindDesign = std::function<ExactDesign(SolveReport&)>;
 
 class EditSearch {
  public:
@@ -55,7 +58,22 @@ class EditSearch {
     ExactDesign design;
     SolveReport report;
     bool follows = false;
-    double left = 0.0;
+    double left = std::numeric_limits<double>::infinity();
+  };
+
+  /// Other targets than those that are asked for, which stand again after it.
+  class OtherTargets {
+   public:
+    OtherTargets(EditSearch& search, const EditTargets& now);
+    OtherTargets(const OtherTargets&) = delete;
+    OtherTargets& operator=(const OtherTargets&) = delete;
+    ~OtherTargets();
+
+   private:
+    void take(const EditTargets& targets);
+
+    EditSearch& search_;
+    EditTargets asked_;
   };
 
   /// From where on handles are so far from their targets, of their way, that nearer ones are tried.
@@ -69,6 +87,7 @@ class EditSearch {
 
   [[nodiscard]] bool follows_softness() const;
   [[nodiscard]] bool is_limited() const;
+  [[nodiscard]] bool is_short_way() const;
   [[nodiscard]] bool parts_help() const;
   [[nodiscard]] Budget budget() const;
   [[nodiscard]] PartsBudget parts_budget() const;
@@ -78,6 +97,8 @@ class EditSearch {
   void set_field(const ExactDesign& design);
   void load(const ExactDesign& design);
   [[nodiscard]] ExactDesign design() { return model_.finish(newton_.support(), field_); }
+
+  ExactDesign find_freely(const Progress& progress, SolveReport& report);
 
   // The engines.
   ExactDesign run_engine(const Progress& progress, SolveReport& report);
@@ -101,7 +122,18 @@ class EditSearch {
   // The way in parts, and less far.
   [[nodiscard]] bool stops_short(double share, const ExactDesign& design,
                                  const SolveReport& report) const;
-  void try_in_parts(const Progress& progress, ExactDesign& design, SolveReport& report);
+  [[nodiscard]] static bool is_certified(const SolveReport& report) {
+    return report.optimality && report.optimality->met();
+  }
+  [[nodiscard]] bool may_look_on() const;
+  void try_way(const FindDesign& way, ExactDesign& design, SolveReport& report);
+  [[nodiscard]] double objective_or_infinite(const ExactDesign& design);
+  [[nodiscard]] bool has_outlines() const;
+  [[nodiscard]] EditTargets with_outlines_pinned() const;
+  void slide_from_pinned_outlines(const Progress& progress, ExactDesign& design,
+                                  SolveReport& report);
+  std::optional<ExactDesign> solve_with_pinned_outlines(const Progress& progress,
+                                                        SolveReport& report);
   Pull pull(double part, const Progress& progress);
   void find_nearer(const Progress& progress, ExactDesign& design, SolveReport& report);
   ExactDesign advance(bool cold, const NewtonOptions& options, const Progress& progress,
@@ -119,8 +151,6 @@ class EditSearch {
   WorkingSetNewton newton_;
   DisplacementField field_;
 };
-
-using FindDesign = std::function<ExactDesign(SolveReport&)>;
 
 /// Makes a design by `find`, again from the base for as long as it goes through panels that it had
 /// no plane to; the base where that does not end. [KEE-4]
