@@ -3,7 +3,7 @@
 """What every feature of an edit costs: factorizations and certificates, feature by feature, with the page's settings.
 
     /usr/bin/python3 .tools/measure/features.py [--planish FILE] [--meshes DIR] [--folder DIR] [--processes N] [--points N]
-                                                [--only FEATURE,...] [--keep RUN.json]
+                                                [--only "FEATURE;..."] [--keep RUN.json]
 
 N seeded points a mesh of each feature, pulled by half an edge and by one in turn, mostly along the normal (on a surface
 across it, with symmetry along it alone). Flat meshes as counts.py makes them; circular, conical and bent ones are made
@@ -225,7 +225,7 @@ def main():
         if options.meshes:
             options.meshes.mkdir(parents=True, exist_ok=True)
         meshes, _ = counts.flat_meshes(options.planish, options.folder, options.meshes or scratch, ())
-        for feature in filter(None, options.only.split(",")) if options.only else FEATURES:
+        for feature in filter(None, options.only.split(";")) if options.only else FEATURES:
             todo = list(edits(options, meshes, feature, scratch))
             topologies = {}
             runs[feature] = list(pool.map(lambda one: counts.edit(options.planish, {one[1]["mesh"]: one[0]}, one[1], one[2],
