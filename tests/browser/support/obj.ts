@@ -34,29 +34,50 @@ const cross = (a: Vec, b: Vec): Vec => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
+/** Newell's normal of a polygon, unit length. */
+function normalOf(points: readonly (readonly number[])[]): Vec {
+  const origin = points[0] ?? [0, 0, 0];
+  const arms = points.map((point) => subtract(point, origin));
+  let normal: Vec = [0, 0, 0];
+  for (const [k, arm] of arms.entries()) {
+    const area = cross(arm, arms[(k + 1) % arms.length] ?? [0, 0, 0]);
+    normal = [normal[0] + area[0], normal[1] + area[1], normal[2] + area[2]];
+  }
+  const length = Math.sqrt(dot(normal, normal));
+  return [normal[0] / length, normal[1] / length, normal[2] / length];
+}
+
 /**
  * Flatness in mm/m of a polygon about the plane of its area vector (Newell's normal). For a nearly
  * flat polygon that plane and the best-fit one give the same figure to first order.
  */
 export function flatness(points: readonly (readonly number[])[]): number {
-  const origin = points[0] ?? [0, 0, 0];
-  const arms = points.map((point) => subtract(point, origin));
-  const next = (k: number): Vec => arms[(k + 1) % arms.length] ?? [0, 0, 0];
-  let normal: Vec = [0, 0, 0];
-  let longest = 0;
-  arms.forEach((arm, k) => {
-    const area = cross(arm, next(k));
-    normal = [normal[0] + area[0], normal[1] + area[1], normal[2] + area[2]];
-    const edge = subtract(next(k), arm);
-    longest = Math.max(longest, Math.sqrt(dot(edge, edge)));
-  });
-  const length = Math.sqrt(dot(normal, normal));
-  const heights = arms.map((arm) => dot(arm, normal) / length);
+  const normal = normalOf(points);
+  const edges = points.map((point, k) => subtract(points[(k + 1) % points.length] ?? [], point));
+  const longest = Math.max(...edges.map((edge) => Math.sqrt(dot(edge, edge))));
+  const heights = points.map((point) => dot(subtract(point, points[0] ?? []), normal));
   return (1000 * (Math.max(...heights) - Math.min(...heights))) / longest;
 }
 
 export const worstFlatness = ({ points, faces }: ObjMesh): number =>
   Math.max(...faces.map((face) => flatness(face.map((v) => points[v] ?? []))));
+
+/** Degrees between the normals of two panels along an edge, the largest. */
+export function sharpestFold({ points, faces }: ObjMesh): number {
+  const normals = faces.map((face) => normalOf(face.map((v) => points[v] ?? [])));
+  const beside = new Map<string, Vec>();
+  let least = 1;
+  for (const [f, face] of faces.entries()) {
+    const normal = normals[f] ?? [0, 0, 1];
+    for (const [k, v] of face.entries()) {
+      const next = face[(k + 1) % face.length] ?? v;
+      const other = beside.get(`${next} ${v}`);
+      if (other) least = Math.min(least, dot(normal, other));
+      beside.set(`${v} ${next}`, normal);
+    }
+  }
+  return (Math.acos(least) * 180) / Math.PI;
+}
 
 /** mm/m: what a finished edit promises. */
 const TOLERANCE = 1e-6;
