@@ -15,7 +15,7 @@ export function AcceptTolerance() {
   return (
     <div class="accept-tolerance">
       <p>
-        {`Or edit it as it is: points stay where the file has them until an edit moves them, and ${panels}.`}
+        {`Or edit it as it is: points stay where they are until an edit moves them, and ${panels}.`}
       </p>
       <button
         type="button"

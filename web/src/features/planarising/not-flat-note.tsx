@@ -12,7 +12,7 @@ export function NotFlatNote() {
   if (!report || !chosen || page.baseFlat.value || page.importReport.value) return null;
   const worst = decimal(report.worstMmPerM);
   return (
-    <div class="note warn">
+    <div class="note">
       <p>
         {`This mesh has panels that are not flat: up to ${worst} mm/m, with a tolerance of ${chosen.tolerance} mm/m. Points can be moved once they are, or once you choose to edit it as it is.`}
       </p>

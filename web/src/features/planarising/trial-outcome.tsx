@@ -43,7 +43,7 @@ function Shown({ trial, sameAs, ...props }: OtherWaysProps & Shown) {
       <TrialFigures trial={trial} opened={opened} />
       {sameAs && <p class="quiet small">{`The same mesh as at “${sameAs}”.`}</p>}
       {(short || far) && (
-        <div class="note warn">
+        <div class={short ? "note" : "note warn"}>
           <p>{short ? shortWords(trial, most) : farWords(page, trial, opened)}</p>
           <OtherWays {...props} trial={short ? null : trial} />
         </div>

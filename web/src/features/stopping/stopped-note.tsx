@@ -114,7 +114,7 @@ export function StoppedNote() {
   const left = residuals.at(-1);
   const meanEdge = page.mesh.value?.report.meanEdge ?? 0;
   return (
-    <section class="note warn" aria-label="Why the target is not reached">
+    <section class="note" aria-label="Why the target is not reached">
       <p>
         <strong>{`${allowing(reason, sought)} ${gotWords(stop, unit.value)} here${shared}.`}</strong>{" "}
         {reasonWords(reason, growth, sought)}
