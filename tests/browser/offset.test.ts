@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Needs: pixels, network.
 // Check and make, Second layer: the design at a distance is drawn with it; what makes it comes when asked for.
+import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { layOut } from "./support/layer.ts";
 import { exportAs, idle, status } from "./support/page.ts";
+import { readPng } from "./support/pixels.ts";
 import { site } from "./support/site.ts";
 
-it("a second layer is drawn, by a module that comes when asked for", async () => {
+/** Pixels as blue as the layer's edges are, which its panels are not. */
+async function blueOf(page: Page): Promise<number> {
+  const { width, height, at } = readPng(await exportAs(page, "PNG"));
+  let count = 0;
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) {
+      const [red, , blue] = at(x, y);
+      if (blue - red > 125) ++count;
+    }
+  return count;
+}
+
+it("a second layer is drawn with its edges, by a module that comes when asked for", async () => {
   const page = await site.open({ draws: true });
   const requests: string[] = [];
   page.on("request", (request) => requests.push(request.url()));
@@ -18,6 +32,7 @@ it("a second layer is drawn, by a module that comes when asked for", async () =>
   await layOut(page, "0.25", /^Panels lie at 250 mm everywhere\.$/);
   expect(requests.join()).toContain("planish_documents");
   await expect.poll(async () => (await picture()) !== before).toBe(true);
+  await expect.poll(() => blueOf(page)).toBeGreaterThan(1000);
   await page.context().close();
 });
 

@@ -21,7 +21,7 @@ import type { Page } from "../../state/page.ts";
 /** The design is seen through it, and it through nothing. */
 const OPACITY = 0.4;
 
-const INK = 0.35;
+const INK = 0.8;
 
 /** `points`: of every corner of the panels. */
 function cornersOf(points: Float32Array, { vertices }: Shell): Float32Array {
