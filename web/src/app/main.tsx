@@ -14,21 +14,17 @@ import "../ui/inspector.css";
 import firstMesh from "virtual:first-mesh";
 import { render } from "preact";
 import { registerFeatures } from "../features/all-features.ts";
-import { prepareDisplay } from "../mesh/display-mesh.ts";
 import { solverSpawner } from "../solver/spawn.ts";
 import { keepFreedom, keepPanelFigures } from "../state/analysis.ts";
 import { Page } from "../state/page.ts";
 import { PageProvider } from "../ui/page-context.ts";
 import { App } from "./app.tsx";
 import { begin } from "./beginning.ts";
+import { paintFirst } from "./first-paint.ts";
 
 const page = new Page(solverSpawner());
 registerFeatures(page);
-page.displayMesh.value = prepareDisplay({
-  display: Float32Array.from(firstMesh.positions),
-  offsets: Int32Array.from(firstMesh.offsets),
-  vertices: Int32Array.from(firstMesh.vertices),
-});
+paintFirst(page, location.hash, firstMesh);
 const root = document.getElementById("app");
 if (root)
   render(
