@@ -3,7 +3,15 @@
 // From the narrowest telephone to a 4K screen: nothing overlaps, sticks out or is cut short.
 import type { Locator, Page } from "playwright-core";
 import { expect, it } from "vitest";
-import { idle, movedCount, openFile, showTab, still, typeTarget } from "./support/page.ts";
+import {
+  idle,
+  movedCount,
+  openFile,
+  openRule,
+  showTab,
+  still,
+  typeTarget,
+} from "./support/page.ts";
 import { site } from "./support/site.ts";
 import { hintedPoint, press, viewBox } from "./support/view.ts";
 
@@ -285,6 +293,22 @@ async function expectCalm(page: Page, state: string): Promise<void> {
   }
 }
 
+/** Each rule unfolded below an edit, one of them stated. */
+async function expectCalmRules(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Undo" }).click();
+  await idle(page);
+  await typeTarget(page, "+40cm");
+  await openRule(page, "Keep-outs");
+  await page.getByRole("button", { name: "Nothing may be in a box" }).click();
+  await idle(page);
+  for (const name of ["Keep-outs", "Limits", "Supports", "Symmetry"]) {
+    await openRule(page, name);
+    const [high = 0, aside] = await screens(page);
+    expect([high <= 1.5, aside], `${name}: ${high}`).toEqual([true, 0]);
+    expect(await cutShort(page)).toEqual([]);
+  }
+}
+
 async function showGallery(page: Page): Promise<void> {
   await showTab(page, "Explore");
   await page.getByRole("button", { name: "Find variations" }).click();
@@ -304,7 +328,7 @@ async function expectNoAlarm(note: Locator): Promise<void> {
   expect(Math.max(...channels) - Math.min(...channels), ground).toBeLessThan(12);
 }
 
-it("no tab is more than one and a half screens, at rest, after a long drag or with a gallery", async () => {
+it("no tab is more than one and a half screens, at rest, after a long drag, with a rule or a gallery", async () => {
   const page = await site.openSmall({ viewport: { width: 1440, height: 900 } });
   await page.getByRole("button", { name: "Group points" }).waitFor();
   const at = await hintedPoint(page);
@@ -320,6 +344,7 @@ it("no tab is more than one and a half screens, at rest, after a long drag or wi
   await expect.poll(() => ways.getAttribute("aria-busy")).toBe("true");
   await expect.poll(() => ways.getAttribute("aria-busy"), { timeout: 150_000 }).toBe("false");
   await expectCalm(page, "with what each way on gains");
+  await expectCalmRules(page);
   // On a sample whose sliders have stops, which take a line each.
   await page.getByRole("combobox", { name: "Sample" }).selectOption("Roof");
   await idle(page);

@@ -54,8 +54,8 @@ export function Rules() {
   }, [open]);
   return (
     <section ref={section} class="rules" aria-labelledby="rules">
-      <h3 id="rules">{stated > 0 ? `Rules (${stated})` : "Rules"}</h3>
       <div class="chips">
+        <h3 id="rules">{stated > 0 ? `Rules (${stated})` : "Rules"}</h3>
         {rulesInOrder.map((rule) => (
           <Chip key={rule} rule={rule} />
         ))}

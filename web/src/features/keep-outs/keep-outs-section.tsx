@@ -251,6 +251,14 @@ function Kept() {
           invalid={refused.value !== ""}
           onApply={(given) => void stay(given)}
         />
+        <button
+          type="button"
+          class="button small"
+          disabled={!page.ready.value}
+          onClick={() => void removeKeepOuts(page)}
+        >
+          Remove all
+        </button>
         <span class="unit quiet small">{page.unit.value}</span>
       </div>
       {refused.value && (
@@ -259,14 +267,6 @@ function Kept() {
         </p>
       )}
       {held.length > 0 && <p>{`They hold ${counted(held.length, "point")} of this edit back.`}</p>}
-      <button
-        type="button"
-        class="button small"
-        disabled={!page.ready.value}
-        onClick={() => void removeKeepOuts(page)}
-      >
-        Remove all
-      </button>
     </>
   );
 }
@@ -283,7 +283,7 @@ export function KeepOuts() {
       <Ask about="keepOuts" />
       <Add />
       {some > 0 && <Kept />}
-      <p class="quiet">
+      <p class="quiet small">
         What is there already goes no deeper, may come out, and blocks nothing else.
       </p>
     </>
