@@ -14,6 +14,7 @@
 #include "planish/constraints/registry.hpp"
 #include "planish/design/link_dictionary.hpp"
 #include "planish/edit/edit_option_table.hpp"
+#include "planish/io/mesh_format.hpp"
 #include "planish/measures/panel_health.hpp"
 #include "session.hpp"
 
@@ -250,6 +251,16 @@ HandleEditOptions to_options(const val& settings) {
   return options;
 }
 
+/// {"obj": "model/obj", ...}: in the order of all_extensions().
+val format_media() {
+  val formats = val::object();
+  for (const MeshFormatRow& row : kPlainFormats) {
+    formats.set(std::string(row.extension), std::string(row.media));
+  }
+  formats.set(std::string(kGlbName), std::string(kGlbMedia));
+  return formats;
+}
+
 val defaults_value() {
   val value = val::object();
   value.set("options", option_rows());
@@ -260,6 +271,7 @@ val defaults_value() {
   value.set("sliverAngle", kSliverAngle);
   value.set("newSliver", static_cast<int>(kNewSliver));
   value.set("buildableCorners", std::string(kBuildableCorners));
+  value.set("formats", format_media());
   value.set("linkDictionary", std::string(kLinkDictionary));
   return value;
 }

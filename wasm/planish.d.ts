@@ -8,6 +8,7 @@ import type {
   DesignValue,
   EditOptions,
   EnumValue,
+  MeshFormat,
   Planarising,
   ResultMark,
   VariationFamily,
@@ -61,7 +62,6 @@ export interface Session {
   ): string;
   /** Does it again on the base that is open, whose hash must be this one; null: it is not known. */
   replay(design: DesignValue, baseHash: number | null): string;
-  /** What the last replay gave. */
   replayed(): Replayed;
   /** The hash of the base that is open, before its cuts, as designs name it. */
   baseHash(): number;
@@ -72,7 +72,7 @@ export interface Session {
   makeExact(): string;
   /** The callback returns false to cancel. */
   onProgress(callback: (residual: number) => boolean): void;
-  write(format: "obj" | "off" | "ply"): Uint8Array;
+  write(format: Exclude<MeshFormat, "glb">): Uint8Array;
   /** Named runs of faces, one a line: first face, blank, name. */
   groups(): string;
   /** Sets other groups in their place, for write(). */

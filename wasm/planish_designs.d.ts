@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Designs and their options as design_values.cpp writes and reads them, by hand: types alone.
 
+import type { EditValues } from "./package/src/edit-values.ts";
+import type { MeshFormat } from "./package/src/mesh-format.ts";
+
+export type { MeshFormat };
+
 /** An option of an edit, once for every language: the core's table of them. */
 export interface EditOptionRow {
   /** In designs and messages. */
@@ -27,6 +32,8 @@ export interface Defaults {
   readonly newSliver: number;
   /** The limit on corners with which panels can be built. */
   readonly buildableCorners: string;
+  /** Of every format of meshes the media type of its files. */
+  readonly formats: Readonly<Record<MeshFormat, string>>;
   /** zlib's preset dictionary of links "#v2=": ASCII. */
   readonly linkDictionary: string;
 }
@@ -36,18 +43,11 @@ export interface EnumValue {
   readonly value: number;
 }
 
-/** The core's HandleEditOptions. */
-export interface EditOptions {
-  readonly attraction: number;
-  readonly locality: number;
-  readonly smoothness: number;
-  readonly fairness: "laplacian" | "second" | "third";
-  readonly sparsity: "l21" | "l2" | "none";
+/** The core's HandleEditOptions: those of EditValues, and those that are asked for in other ways. */
+export interface EditOptions extends EditValues {
   /** Targets are met exactly, or the edit is refused. */
   readonly hardHandles: boolean;
   readonly engine: "newton" | "alm";
-  /** Worst panel of a finished edit, mm/m. */
-  readonly tolerance: number;
   /** 0: the engine's own limit. */
   readonly maxIterations: number;
   /** No panel becomes concave, crossing, turned over or collapsed that was not. */
@@ -56,20 +56,14 @@ export interface EditOptions {
   readonly reach: number;
   /** How far from a handle points may move, model units; 0: no limit. */
   readonly reachLength: number;
-  /** Points on a boundary stay, handles excepted. */
-  readonly keepBoundary: boolean;
   /** Panels that move stay as bent as they are: none bends more. `tolerance` is the most that the base may be bent. */
   readonly keepBends: boolean;
   /** Kept beside planarity, with tolerances in degrees: "circular:1e-9". See design/kept-kind.ts. */
   readonly constraints: readonly string[];
   /** As --bound says them: "fold=25"; degrees and model units. See design/stated-limit.ts. */
   readonly limits: readonly string[];
-  /** Where nothing may go, as --keep-out says it: "below=0"; model units. */
-  readonly keepOuts: readonly string[];
-  /** Kept from every one of them, model units. */
+  /** Kept from every one of `keepOuts`, model units. */
   readonly clearance: number;
-  /** 1 to 10: in place of `locality` and `smoothness`; 0: these two hold. */
-  readonly softness: number;
 }
 
 /** How an opened mesh is made flat. */

@@ -46,7 +46,7 @@ catalogue() {
 site() {
   npx --no-install vite build --config web/vite.config.ts --logLevel warn &&
     npx --no-install tsc -p wasm/package/tsconfig.json --outDir build/editor &&
-    cp build/editor/planish-editor.{js,d.ts} dist/
+    cp build/editor/{planish-editor.js,planish-editor.d.ts,mesh-format.d.ts} dist/
 }
 
 parts=("$@")

@@ -37,7 +37,7 @@ class Replay(Shape):
         return Design(self._core.design)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """To .obj, .off, .ply or .glb, which holds the design too, or the design alone to .json."""
+        """In the format of the extension: .glb holds the design too, .json the design alone."""
         self._core.save(os.fspath(path))
 
 

@@ -43,7 +43,7 @@ class Mesh:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
-        """From .obj, .off, .ply or .glb; "sample:vault:32" is a sample."""
+        """In the format of the extension, see docs/formats.md; "sample:vault:32" is a sample."""
         return cls._of(_core.Mesh.read(os.fspath(path)))
 
     @classmethod
@@ -54,7 +54,7 @@ class Mesh:
         return cls(points, faces)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """To .obj, .off, .ply or .glb, every coordinate with all its bits."""
+        """In the format of the extension, every coordinate with all its bits."""
         self._core.write(os.fspath(path))
 
     def to_vertices_and_faces(self) -> tuple[list[list[float]], list[list[int]]]:

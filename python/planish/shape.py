@@ -59,7 +59,7 @@ class Shape:
         return [wording(sentence) for sentence in self._shape.messages]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """To .obj, .off, .ply or .glb."""
+        """In the format of the extension, ".obj" for example; docs/formats.md has all of them."""
         self._shape.save(os.fspath(path))
 
     def _repr_html_(self) -> str:
@@ -85,5 +85,5 @@ class DesignedShape(Shape):
         return Design(self._core.design())
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """To .obj, .off, .ply or .glb, which holds the design too, or the design alone to .json."""
+        """In the format of the extension: .glb holds the design too, .json the design alone."""
         self._core.save(os.fspath(path))

@@ -105,8 +105,13 @@ it("declares every option of the core, in types and words", async () => {
   session.delete();
   const { options: rows, kinds } = (await loadDocuments()).defaults();
   expect(Object.keys(kinds).sort()).toEqual([...KINDS]);
-  const designs = read("planish_designs");
-  expect(rows.map(({ key }) => key).sort()).toEqual(declared("EditOptions", designs));
+  const values = read("package/src/edit-values", "ts");
+  const designs = values + read("planish_designs");
+  expect(designs).toContain("interface EditOptions extends EditValues {");
+  const own = declared("EditOptions extends EditValues", designs);
+  expect(rows.map(({ key }) => key).sort()).toEqual(
+    [...own, ...declared("EditValues", values)].sort(),
+  );
   for (const { key, usual, words } of rows) {
     const type = new RegExp(`readonly ${key}: ([^;]*);`).exec(designs)?.[1];
     const said = words ? words.map((word) => `"${word}"`).join(" | ") : typeof usual;

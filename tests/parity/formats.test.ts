@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One table of the core has the formats of meshes; every other list of them is held to it here.
-import { spawnSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import { FILE_FORMATS, filesOfFormats, namesOfFormats } from "../../web/src/solver/file-formats.ts";
@@ -15,17 +15,6 @@ function known(): string[] {
   const list = /the extension must be (.*)$/m.exec(stderr)?.[1] ?? "";
   return [...list.matchAll(/\.([a-z]+)/g)].map((extension) => extension[1] ?? "");
 }
-
-/** Lists by hand: where, what comes before the names, and how often. `plain`: without GLB. */
-const LISTS = [
-  { file: "wasm/planish.d.ts", before: "write\\(format: ", plain: true, times: 1 },
-  { file: "wasm/package/src/mesh.ts", before: "type MeshFormat = ", times: 1 },
-  { file: "wasm/package/src/mesh.ts", before: "with the extension ", times: 1 },
-  { file: "wasm/package/src/planish-editor.ts", before: "type ExportKind = ", times: 1 },
-  { file: "python/planish/mesh.py", before: '"""(?:From|To) ', times: 2 },
-  { file: "python/planish/shape.py", before: '"""To ', times: 2 },
-  { file: "python/planish/design.py", before: '"""To ', times: 1 },
-] as const;
 
 it("the core names its formats", () => {
   expect(known()).toContain("obj");
@@ -46,18 +35,23 @@ it("the Export menu has the formats of the page, all but OFF", () => {
   expect(offered).toEqual(FILE_FORMATS.filter((format) => !NO_EXPORT.includes(format)));
 });
 
-it.each(LISTS)("$file: what follows $before names the formats of the core", (list) => {
-  const text = readFileSync(new URL(list.file, ROOT), "utf8");
-  // Words that are no names of formats end a list: "which", or "json" of the editor's own kinds.
-  const names = known().join("|");
-  const one = `[".]+(?:${names})"?`;
-  const found = [
-    ...text.matchAll(new RegExp(`${list.before}((?:${one}(?:, | or | \\| )?)+)`, "g")),
-  ];
-  expect(found).toHaveLength(list.times);
-  const expected = known().filter((format) => !("plain" in list && format === "glb"));
-  for (const [, said = ""] of found)
-    expect([...said.matchAll(/[a-z]{3,}/g)].map(String).sort()).toEqual(expected.sort());
+it("page and npm package have one type of them by hand", () => {
+  const text = readFileSync(new URL("wasm/package/src/mesh-format.ts", ROOT), "utf8");
+  const said = /type MeshFormat = (.*);/.exec(text)?.[1] ?? "";
+  expect([...said.matchAll(/\w+/g)].map(String).sort()).toEqual(known().sort());
+});
+
+it("neither the page nor a package lists them anywhere else", () => {
+  const files = execFileSync("git", ["ls-files", "web/src", "wasm", "python/planish"], {
+    cwd: ROOT,
+    encoding: "utf8",
+  });
+  const list = /\bobj\W{1,7}off\W{1,7}ply\b/i;
+  const found = files
+    .split("\n")
+    .filter((file) => /\.(ts|tsx|mts|py|pyi)$/.test(file))
+    .filter((file) => list.test(readFileSync(new URL(file, ROOT), "utf8")));
+  expect(found).toEqual(["wasm/package/src/mesh-format.ts"]);
 });
 
 it("docs/formats.md has a row of each", () => {

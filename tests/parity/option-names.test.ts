@@ -46,13 +46,17 @@ function helpOf(command: string): string[] {
   return [...help.matchAll(/^ {2}(--?[a-z-]+) /gm)].map((row) => row[1] ?? "");
 }
 
-/** The members of an interface, and whether any name goes. */
+/** The members of an interface, with those that it takes from others, and whether any name goes. */
 function membersOf(file: string, name: string): { names: string[]; open: boolean } {
   const url = new URL(`../../wasm/package/src/${file}.ts`, import.meta.url);
   const text = readFileSync(url, "utf8");
-  const body = new RegExp(`export interface ${name} \\{([\\s\\S]*?)\\n\\}`).exec(text)?.[1] ?? "";
-  const names = [...body.matchAll(/^ {2}readonly (\w+)\??:/gm)].map((member) => member[1] ?? "");
-  return { names, open: /^ {2}readonly \[/m.test(body) };
+  const [, others = "", body = ""] =
+    new RegExp(`export interface ${name}\\b([^{]*)\\{([\\s\\S]*?)\\n\\}`).exec(text) ?? [];
+  const own = [...body.matchAll(/^ {2}readonly (\w+)\??:/gm)].map((member) => member[1] ?? "");
+  const values = others.includes("Partial<EditValues>")
+    ? membersOf("edit-values", "EditValues").names
+    : [];
+  return { names: [...own, ...values], open: /^ {2}readonly \[/m.test(body) };
 }
 
 const inTypeScript = (option: string): string =>

@@ -27,5 +27,6 @@ declare module "virtual:core-defaults" {
   export const sliverAngle: Defaults["sliverAngle"];
   export const newSliver: Defaults["newSliver"];
   export const buildableCorners: Defaults["buildableCorners"];
+  export const formats: Defaults["formats"];
   export const linkDictionary: Defaults["linkDictionary"];
 }

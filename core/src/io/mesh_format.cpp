@@ -6,10 +6,10 @@
 namespace planish {
 namespace {
 
-/// Apart from its row: whoever names the formats alone, as the page's solver, links no reader of
-/// it.
-constexpr std::string_view kGlb = "glb";
-constexpr MeshFormatRow kGlbRow{kGlb, read_glb, [](const Mesh& mesh) { return write_glb(mesh); }};
+/// Apart from its names: whoever names the formats alone, as the page's solver, links no
+/// reader of it.
+constexpr MeshFormatRow kGlbRow{kGlbName, kGlbMedia, read_glb,
+                                [](const Mesh& mesh) { return write_glb(mesh); }};
 
 const MeshFormatRow& row_of(MeshFormat format) {
   const auto k = static_cast<std::size_t>(format);
@@ -40,7 +40,7 @@ std::string all_extensions(std::string_view point, std::string_view between,
   for (const MeshFormatRow& row : kPlainFormats) {
     text.append(text.empty() ? "" : between).append(point).append(row.extension);
   }
-  return text.append(last).append(point).append(kGlb);
+  return text.append(last).append(point).append(kGlbName);
 }
 
 ReadResult read_mesh(std::string_view bytes, MeshFormat format) {

@@ -2,6 +2,7 @@
 // Edits and the variations around them.
 import type { Core } from "./core.ts";
 import { Design } from "./design.ts";
+import type { EditValues } from "./edit-values.ts";
 import { insist } from "./error.ts";
 import type { Mesh } from "./mesh.ts";
 import type { EditHandle, FamilyHandle, VariationHandle } from "./planish_package.mjs";
@@ -16,7 +17,7 @@ import {
 import { type Progress, Shape } from "./shape.ts";
 
 /** Options of `planish edit`, by the same names; what is left out has the core's default. */
-export interface EditOptions {
+export interface EditOptions extends Partial<EditValues> {
   readonly handles: readonly HandleTarget[];
   /** Cuts made before the edit, in this order: "strip=12-13@0.4", "corner=40:57"; handles may name their points. */
   readonly cuts?: readonly string[];
@@ -42,25 +43,13 @@ export interface EditOptions {
   readonly symmetry?: string;
   readonly hard?: boolean;
   readonly bounds?: Bounds | readonly string[];
-  /** Where nothing may go: "below=0", "plane=0,0,1,4", "box=0,0,2,1,1,3", ... */
-  readonly keepOuts?: readonly string[];
-  /** Kept from every one of them, model units or with a unit, "50mm". */
+  /** Kept from every one of `keepOuts`, model units or with a unit, "50mm". */
   readonly clearance?: number | string;
   readonly constraints?: Constraints;
-  readonly locality?: number;
-  readonly smoothness?: number;
-  /** 1 to 10: in place of locality and smoothness. */
-  readonly softness?: number;
   /** Face rings, or a length with its unit such as "1.5m". */
   readonly reach?: number | string;
-  readonly keepBoundary?: boolean;
   readonly modelUnit?: ModelUnit;
-  readonly attraction?: number;
-  readonly fairness?: "laplacian" | "second" | "third";
-  readonly sparsity?: "l21" | "l2" | "none";
   readonly solver?: "newton" | "alm";
-  /** mm per m */
-  readonly tolerance?: number;
   readonly progress?: Progress;
 }
 

@@ -4,7 +4,8 @@ export { options } from "./core.ts";
 export { Design, Replay } from "./design.ts";
 export { Edit, type EditOptions, type ExploreOptions, edit, Family, Variation } from "./edit.ts";
 export { type ErrorKind, PlanishError } from "./error.ts";
-export { Mesh, type MeshFormat } from "./mesh.ts";
+export { Mesh } from "./mesh.ts";
+export type { MeshFormat } from "./mesh-format.ts";
 export { Mobility, type MobilityOptions, type MobilityRow, mobility } from "./mobility.ts";
 export {
   type ConvertOptions,

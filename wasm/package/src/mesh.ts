@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 import { type Core, loadCore } from "./core.ts";
 import { insist, PlanishError, wording } from "./error.ts";
+import type { MeshFormat } from "./mesh-format.ts";
 import type { MeshHandle } from "./planish_package.mjs";
 import { once } from "./pool.ts";
 import type { Report } from "./report.ts";
-
-/** Formats that a mesh is written in. */
-export type MeshFormat = "obj" | "off" | "ply" | "glb";
 
 /** Points and polygons. Never changes. */
 export class Mesh {
@@ -45,7 +43,7 @@ export class Mesh {
 
   /**
    * The mesh in a file.
-   * @param name with the extension .obj, .off, .ply or .glb
+   * @param name whose extension is the format, one of MeshFormat
    * @throws PlanishError
    */
   static async read(bytes: Uint8Array | ArrayBuffer, name: string): Promise<Mesh> {

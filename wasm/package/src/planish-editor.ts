@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// <planish-editor>: the Planish page in a frame, for other people's pages. One file, without
-// imports. What the two sides say to each other is here, too; the page takes the types from here.
+// <planish-editor>: the Planish page in a frame, for other people's pages. One file that imports
+// types alone. What the two sides say to each other is here, too; the page takes the types from here.
+
+import type { MeshFormat } from "./mesh-format.ts";
 
 /** Of the messages. Another one is refused on both sides. */
 export const EMBED_VERSION = 1;
@@ -8,7 +10,7 @@ export const EMBED_VERSION = 1;
 /** A design as its JSON file holds it; docs/formats.md says what is in it. */
 export type DesignJson = Readonly<Record<string, unknown>>;
 
-export type ExportKind = "obj" | "off" | "ply" | "glb" | "json" | "png";
+export type ExportKind = MeshFormat | "json" | "png";
 export type EditorUnit = "mm" | "cm" | "m" | "km" | "in" | "ft";
 export type EditorTheme = "light" | "dark" | "auto";
 

@@ -2,7 +2,8 @@
 // What every operation gives: positions, what moved, a report, and a way to write it.
 import type { Core } from "./core.ts";
 import { insist, wording } from "./error.ts";
-import { Mesh, type MeshFormat } from "./mesh.ts";
+import { Mesh } from "./mesh.ts";
+import type { MeshFormat } from "./mesh-format.ts";
 import type { Answer, ShapeHandle, Watch } from "./planish_package.mjs";
 import { Place } from "./pool.ts";
 import type { Report } from "./report.ts";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-
+import { formats } from "virtual:core-defaults";
 import { done, type Result, refuse } from "../result/result.ts";
 import type { Question } from "../solver/client.ts";
 import type { FileFormat } from "../solver/file-formats.ts";
@@ -12,10 +12,7 @@ import { loadPart } from "../state/later.ts";
 import type { Page } from "../state/page.ts";
 
 const MEDIA: Readonly<Record<FileFormat | "json", string>> = {
-  obj: "model/obj",
-  off: "text/plain",
-  ply: "application/octet-stream",
-  glb: "model/gltf-binary",
+  ...formats,
   json: "application/json",
 };
 

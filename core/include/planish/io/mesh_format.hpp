@@ -20,16 +20,21 @@ namespace planish {
 /// How a format is called and what it is read and written by.
 struct MeshFormatRow {
   std::string_view extension;  ///< of its files, lower case; its name in designs
+  std::string_view media;      ///< the media type of its files
   ReadResult (*read)(std::string_view bytes);
   std::string (*write)(const Mesh& mesh);
 };
 
 /// All but GLB, which needs a library: they are what the page's solver reads and writes itself.
 inline constexpr std::array kPlainFormats = {
-    MeshFormatRow{"obj", read_obj, write_obj},
-    MeshFormatRow{"off", read_off, write_off},
-    MeshFormatRow{"ply", read_ply, [](const Mesh& mesh) { return write_ply(mesh); }},
+    MeshFormatRow{"obj", "model/obj", read_obj, write_obj},
+    MeshFormatRow{"off", "text/plain", read_off, write_off},
+    MeshFormatRow{"ply", "application/octet-stream", read_ply,
+                  [](const Mesh& mesh) { return write_ply(mesh); }},
 };
+
+/// What else there is to say of GLB is behind read_mesh() and write_mesh().
+inline constexpr std::string_view kGlbName = "glb", kGlbMedia = "model/gltf-binary";
 
 /// GLB, then the rows of kPlainFormats. Those that code names; the table may have more after them.
 enum class MeshFormat : std::uint8_t { kGlb, kObj, kOff, kPly };
