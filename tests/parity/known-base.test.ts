@@ -3,11 +3,11 @@
 // again, and it is the same to the bit.
 import type { PlanishModule } from "@wasm/planish.mjs";
 import { beforeAll, expect, it } from "vitest";
-import { Dispatcher } from "../../web/src/solver/dispatch.ts";
-import type { OpenedMesh, Planarising, Reply } from "../../web/src/solver/protocol.ts";
+import type { OpenedMesh, Planarising } from "../../web/src/solver/protocol.ts";
 import { keepCopy } from "../../web/src/solver/reading.ts";
 import { type Base, openKnownQuestion, openQuestion } from "../../web/src/state/connection.ts";
 import { loadPlanish } from "./support/planish.ts";
+import { SolverHere } from "./support/solver-here.ts";
 
 let module: PlanishModule;
 beforeAll(async () => {
@@ -39,12 +39,9 @@ const NEAREST: Planarising = {
 async function opened(
   question: ReturnType<typeof openQuestion> & { found?: Float64Array },
 ): Promise<{ mesh: OpenedMesh; steps: number }> {
-  const replies: Reply[] = [];
-  const dispatcher = new Dispatcher(module, (reply) => replies.push(reply));
-  await dispatcher.handle({ ...question, job: 1 });
-  const answer = replies.find(({ kind }) => kind !== "progress" && kind !== "reading");
-  if (answer?.kind !== "opened") throw new Error(JSON.stringify(answer));
-  return { mesh: answer.mesh, steps: replies.filter(({ kind }) => kind === "progress").length };
+  const solver = new SolverHere(module);
+  const { mesh } = await solver.ask({ ...question, job: 1 }, "opened");
+  return { mesh, steps: solver.replies.filter(({ kind }) => kind === "progress").length };
 }
 
 it.each([

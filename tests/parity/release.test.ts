@@ -3,15 +3,9 @@
 import type { PlanishModule } from "@wasm/planish.mjs";
 import { beforeAll, expect, it } from "vitest";
 import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
-import { Dispatcher } from "../../web/src/solver/dispatch.ts";
-import type {
-  EditMode,
-  EditSettings,
-  Reply,
-  Request,
-  Shape,
-} from "../../web/src/solver/protocol.ts";
+import type { EditMode, EditSettings, Reply, Shape } from "../../web/src/solver/protocol.ts";
 import { loadPlanish } from "./support/planish.ts";
+import { SolverHere } from "./support/solver-here.ts";
 
 type Shown = Extract<Reply, { kind: "shown" }>;
 
@@ -27,30 +21,11 @@ const LENGTH = Math.hypot(...PULL);
 const FRAMES = 23;
 
 class Page {
-  readonly #replies: Reply[] = [];
-  readonly #dispatcher = new Dispatcher(module, (reply) => this.#replies.push(reply));
+  readonly #solver = new SolverHere(module);
   base: Float64Array = new Float64Array();
 
-  async ask(request: Exclude<Request, { kind: "start" }>): Promise<Reply> {
-    this.#replies.length = 0;
-    await this.#dispatcher.handle(request);
-    const answer = this.#replies.find(({ kind }) => kind !== "progress");
-    if (!answer || answer.kind === "failed") throw new Error(answer?.message ?? "no answer");
-    return answer;
-  }
-
   async open(): Promise<void> {
-    const source = { kind: "sample", name: "vault", size: 20 } as const;
-    const answer = await this.ask({
-      kind: "open",
-      job: 1,
-      source,
-      planarise: null,
-      symmetry: null,
-      cuts: [],
-    });
-    if (answer.kind !== "opened") throw new Error(answer.kind);
-    this.base = answer.mesh.positions;
+    this.base = (await this.#solver.openSample("vault", 20)).positions;
   }
 
   async edit(mode: EditMode, share: number, settings: EditSettings): Promise<Shown> {
@@ -67,9 +42,7 @@ class Page {
       reaches: [],
       sought: null,
     } as const;
-    const answer = await this.ask(request);
-    if (answer.kind !== "shown") throw new Error(answer.kind);
-    return answer;
+    return this.#solver.ask(request, "shown");
   }
 }
 

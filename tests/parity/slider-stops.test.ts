@@ -4,10 +4,10 @@
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { expect, it } from "vitest";
 import { FIRST_SETTINGS } from "../../web/src/design/design.ts";
-import { Dispatcher } from "../../web/src/solver/dispatch.ts";
-import type { Reply, Request, SliderRange } from "../../web/src/solver/protocol.ts";
+import type { SliderRange } from "../../web/src/solver/protocol.ts";
 import { rangesOf } from "../../web/src/solver/sliders.ts";
 import { loadPlanish } from "./support/planish.ts";
+import { SolverHere } from "./support/solver-here.ts";
 
 const SIZE = 16;
 const SETTINGS = 5;
@@ -45,30 +45,14 @@ it.each(["roof", "vault", "dome", "hex"])(
   "hold on a %s",
   async (name) => {
     const { module, sessions } = watched(await loadPlanish());
-    const replies: Reply[] = [];
-    const dispatcher = new Dispatcher(module, (reply) => replies.push(reply));
-    const ask = async <K extends Reply["kind"]>(
-      request: Exclude<Request, { kind: "start" }>,
-      kind: K,
-    ): Promise<Extract<Reply, { kind: K }>> => {
-      replies.length = 0;
-      await dispatcher.handle(request);
-      const reply = replies.find((one) => one.kind === kind);
-      if (!reply) throw new Error(JSON.stringify(replies));
-      return reply as Extract<Reply, { kind: K }>;
-    };
-    const source = { kind: "sample", name, size: SIZE } as const;
-    const { mesh } = await ask(
-      { kind: "open", job: 1, source, planarise: null, symmetry: null, cuts: [] },
-      "opened",
-    );
-    const { positions, offsets, vertices, report } = mesh;
+    const solver = new SolverHere(module);
+    const { positions, offsets, vertices, report } = await solver.openSample(name, SIZE);
     const middle = [...positions.keys()].filter((k) => k % 3 === 0).map((k) => k / 3);
     const away = (v: number): number =>
       Math.hypot(...report.centre.slice(0, 2).map((c, axis) => (positions[3 * v + axis] ?? 0) - c));
     const vertex = middle.reduce((best, v) => (away(v) < away(best) ? v : best), 0);
     const [x = 0, y = 0, z = 0] = positions.subarray(3 * vertex);
-    const edit = await ask(
+    const edit = await solver.ask(
       {
         kind: "edit",
         job: 2,
@@ -87,7 +71,7 @@ it.each(["roof", "vault", "dome", "hex"])(
       job: 3,
       family: { asked: DIMENSION, eigenbasis: false },
     } as const;
-    const { leads } = await ask(explored, "explored");
+    const { leads } = await solver.ask(explored, "explored");
     expect(leads.length).toBeGreaterThan(0);
     const { Analysis } = await loadPlanish();
     const analysis = new Analysis(positions, offsets, vertices, new Float64Array(0));
@@ -110,9 +94,9 @@ it.each(["roof", "vault", "dome", "hex"])(
         if (range) values[k] = between(range, random());
       }
       const coefficients = [...values];
-      await ask({ kind: "vary", job: 4, coefficients }, "shown");
+      await solver.ask({ kind: "vary", job: 4, coefficients }, "shown");
       expect(spoilt(session.moved(), session.movedPositions()), `${coefficients}`).toBe(0);
-      const exact = await ask({ kind: "project", job: 5, coefficients }, "projected");
+      const exact = await solver.ask({ kind: "project", job: 5, coefficients }, "projected");
       expect(spoilt(exact.shape.moved, exact.shape.positions), `${coefficients}`).toBe(0);
       expect(exact.report.worstExcess).toBeLessThanOrEqual(1e-6);
     }
