@@ -188,7 +188,7 @@ for (const [name, take] of Object.entries(PICTURES)) {
   if (only.length > 0 && !only.includes(name)) continue;
   const page = await openPage(site, { viewport: SIZE, reducedMotion: "reduce" });
   const picture = await take(page, site);
-  await writeFile(here(`../docs/pictures/${name}.png`), picture);
+  await writeFile(here(`../../docs/pictures/${name}.png`), picture);
   const said = await page.getByRole("status").first().textContent();
   console.log(`docs/pictures/${name}.png: ${Math.round(picture.length / 1000)} kB; ${said}`);
   await page.context().close();
