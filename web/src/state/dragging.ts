@@ -37,7 +37,7 @@ import { shownTab } from "./inspector.ts";
 import { movesShown } from "./moves.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
-import { reachesFor } from "./reach-choice.ts";
+import { noteReachOfSource, reachesFor } from "./reach-choice.ts";
 import { growthOf, lastRefusedPull } from "./refused-pull.ts";
 import { lastSettling } from "./settling.ts";
 import { showPresent } from "./showing.ts";
@@ -166,6 +166,7 @@ export class Drag {
     const settings = page.draft.value ? unbound(page, page.draft.value).settings : DEFAULT_SETTINGS;
     this.#isStated = settings.limits.length > 0;
     this.#limit = pullLimit(page, settings, this.#grips);
+    if (page.draft.value) noteReachOfSource(page, page.draft.value);
     this.#reaches = page.draft.value ? reachesFor(page, page.draft.value) : [];
     page.pull.value = { vertex: this.#grips.at(-1)?.vertex ?? -1, typed: "" };
     movesShown(page); // They follow the frames from here on.

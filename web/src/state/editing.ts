@@ -33,7 +33,7 @@ import { enqueue, type Outcome } from "./action-queue.ts";
 import { isSeen } from "./camera.ts";
 import { client, frame, run } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
-import { firstReach, noteReach, reachesFor } from "./reach-choice.ts";
+import { firstReach, noteReach, noteReachOfSource, reachesFor } from "./reach-choice.ts";
 import { selectOnly } from "./selection.ts";
 import { sensibleVertex } from "./sensible-vertex.ts";
 import { openBase, restorePresent, showStep } from "./showing.ts";
@@ -213,13 +213,9 @@ export const edit = (
       const next = changed(page, speaking(page, before, change(before)));
       if (!next) return;
       const asked = { ...next, variation: null };
-      return commit(
-        page,
-        asked,
-        editQuestion(asked, "solve", unasked(page, asked)),
-        "computing",
-        burst,
-      );
+      noteReachOfSource(page, asked);
+      const question = editQuestion(asked, "solve", unasked(page, asked));
+      return commit(page, asked, question, "computing", burst);
     },
     burst,
   );

@@ -26,11 +26,10 @@ import { sensibleVertex } from "./sensible-vertex.ts";
 import { restorePresent, takeMesh } from "./showing.ts";
 
 /** A tolerance that one mesh asked for is no choice for another. */
-function toleranceFor(page: Page, source: Source, tolerance: number): number {
-  if (page.draft.value?.source === source || !page.toleranceTaken.value) return tolerance;
-  page.toleranceTaken.value = false;
-  return FIRST_SETTINGS.tolerance;
-}
+const toleranceFor = (page: Page, source: Source, tolerance: number): number =>
+  page.draft.value?.source === source || !page.toleranceTaken.value
+    ? tolerance
+    : FIRST_SETTINGS.tolerance;
 
 /** A limit on folds that the page found for the edit of one mesh is no choice for another. */
 function limitsFor(page: Page, source: Source, limits: readonly string[]): readonly string[] {

@@ -18,13 +18,16 @@ export function growsReach(page: Page, settings: EditSettings): boolean {
   return isEdited(page) || reach === FIRST_SETTINGS.reach;
 }
 
+/** Notes before the first edit that a reach is the choice of whoever made the link or the file. */
+export function noteReachOfSource(page: Page, { settings }: Design): void {
+  if (!isEdited(page) && settings.reach !== FIRST_SETTINGS.reach) page.reachChosen.value = true;
+}
+
 /**
  * Those an edit is tried with, the smallest first; none where only that of the settings is. An edit of
  * points that are moved already reaches no less than it does.
  */
 export function reachesFor(page: Page, { settings }: Design): readonly number[] {
-  // Before the first edit another one can only come from whoever made the link or the file.
-  if (!isEdited(page) && settings.reach !== FIRST_SETTINGS.reach) page.reachChosen.value = true;
   if (!growsReach(page, settings)) return [];
   return isEdited(page) ? REACHES.filter((one) => one >= settings.reach) : REACHES;
 }

@@ -59,6 +59,7 @@ const own = kept((): Own => ({ shown: null, retold: null, tries: 0 }));
 export function takeMesh(page: Page, design: Design, opened: OpenedMesh): void {
   own(page).shown = baseOf(design);
   batch(() => {
+    if (page.draft.value?.source !== design.source) page.toleranceTaken.value = false;
     page.mesh.value = opened;
     page.displayMesh.value = opened;
     page.draft.value = design;
