@@ -8,6 +8,7 @@ import { planarise } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
 import { TOLERANCES } from "../../state/tolerance.ts";
 import { Ask } from "../../ui/ask.tsx";
+import { Check } from "../../ui/check.tsx";
 import { Choice } from "../../ui/choice.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { KeptKinds } from "../constraints/kept-kinds.tsx";
@@ -135,24 +136,18 @@ export function Advanced() {
             : "Panels count as flat up to the tolerance."}
         </p>
         <RefusedTolerance />
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={hardHandles}
-            disabled={!page.ready.value}
-            onChange={({ currentTarget }) => choose(page, { hardHandles: currentTarget.checked })}
-          />
-          <span>Meet the targets exactly</span>
-        </label>
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={keepShape}
-            disabled={!page.ready.value}
-            onChange={({ currentTarget }) => choose(page, { keepShape: currentTarget.checked })}
-          />
-          <span>Panels keep their shape</span>
-        </label>
+        <Check
+          label="Meet the targets exactly"
+          checked={hardHandles}
+          disabled={!page.ready.value}
+          onChange={(on) => choose(page, { hardHandles: on })}
+        />
+        <Check
+          label="Panels keep their shape"
+          checked={keepShape}
+          disabled={!page.ready.value}
+          onChange={(on) => choose(page, { keepShape: on })}
+        />
         <p class="quiet small">None becomes concave, crossing, turned over or collapsed.</p>
         <KeptKinds offered={false} />
         <VariationWeights />

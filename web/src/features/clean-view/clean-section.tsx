@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 import { cleanView, toggleCleanView } from "../../state/clean-view.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 
 export function CleanSection() {
@@ -7,14 +9,11 @@ export function CleanSection() {
   return (
     <section class="step" aria-labelledby="clean-view">
       <h2 id="clean-view">Clean view</h2>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={cleanView(page).value}
-          onChange={() => toggleCleanView(page)}
-        />
-        <span>Hide marks, arrows and the reach</span>
-      </label>
+      <Check
+        label="Hide marks, arrows and the reach"
+        checked={cleanView(page).value}
+        onChange={() => toggleCleanView(page)}
+      />
     </section>
   );
 }

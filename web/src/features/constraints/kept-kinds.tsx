@@ -6,6 +6,7 @@ import { isKeptBy, isMeant, KINDS, type Kind, kindOf, withKind } from "../../des
 import { commitSettings } from "../../state/editing.ts";
 import { makeKept } from "../../state/opening.ts";
 import type { Page } from "../../state/page.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 
 const LABELS: Readonly<Record<Kind, string>> = {
@@ -41,15 +42,12 @@ function KeptKind({ kind }: { kind: Kind }) {
   const words = nearWords(page, kind);
   return (
     <>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={isOn(page, kind)}
-          disabled={!page.ready.value || (words !== "" && !isOn(page, kind))}
-          onChange={({ currentTarget }) => choose(page, kind, currentTarget.checked)}
-        />
-        <span>{LABELS[kind]}</span>
-      </label>
+      <Check
+        label={LABELS[kind]}
+        checked={isOn(page, kind)}
+        disabled={!page.ready.value || (words !== "" && !isOn(page, kind))}
+        onChange={(on) => choose(page, kind, on)}
+      />
       {words && (
         <>
           <p class="quiet small">{words}</p>

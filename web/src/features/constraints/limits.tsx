@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the shop or the eye allows: limits on folds, angles, lengths and sizes of panels, and on how far
 // joints slide, each on or off.
+
 import type { Page } from "../../state/page.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "./limits.css";
 import { useSignal } from "@preact/signals";
@@ -130,17 +132,12 @@ function LimitRow({ row }: { row: Row }) {
 
   return (
     <div class={mark ? "limit two" : "limit"} title={`${label}: ${about}`}>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={on !== undefined}
-          disabled={!page.ready.value}
-          onChange={({ currentTarget }) =>
-            void (currentTarget.checked ? state(numbers) : turnOff())
-          }
-        />
-        <span>{label}</span>
-      </label>
+      <Check
+        label={label}
+        checked={on !== undefined}
+        disabled={!page.ready.value}
+        onChange={(now) => void (now ? state(numbers) : turnOff())}
+      />
       {numbers.map((value, k) => (
         <LimitField
           key={k === 0 ? "first" : "second"}

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The numbers of panels and points, as tables and reports give them, on the model.
+
 import { useEffect } from "preact/hooks";
 import { Ask } from "../../ui/ask.tsx";
+import { Check } from "../../ui/check.tsx";
 import { followNumbers } from "./number-follower.ts";
 import { NUMBERS, numbered, toggleNumbers } from "./numbering.ts";
 import "./numbers.css";
@@ -19,14 +21,12 @@ export function NumbersSection() {
       <h2 id="numbers">Numbers</h2>
       <Ask about="numbers" />
       {NUMBERS.map(([of, label]) => (
-        <label key={of} class="check">
-          <input
-            type="checkbox"
-            checked={numbered(page).value[of]}
-            onChange={() => toggleNumbers(page, of)}
-          />
-          <span>{label}</span>
-        </label>
+        <Check
+          key={of}
+          label={label}
+          checked={numbered(page).value[of]}
+          onChange={() => toggleNumbers(page, of)}
+        />
       ))}
     </section>
   );

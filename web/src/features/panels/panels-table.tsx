@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 import { counted } from "../../quantity/counted.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "./panels.css";
 import { sliverAngle } from "virtual:core-defaults";
@@ -202,16 +204,13 @@ export function PanelsTable() {
   return (
     <>
       <Summary health={health} />
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={changedOnly}
-          onChange={({ currentTarget }) => {
-            order.value = { key, descending, changedOnly: currentTarget.checked };
-          }}
-        />
-        <span>Only panels that must be made again</span>
-      </label>
+      <Check
+        label="Only panels that must be made again"
+        checked={changedOnly}
+        onChange={(on) => {
+          order.value = { key, descending, changedOnly: on };
+        }}
+      />
       <div class="panels-frame">
         <table class="panels" aria-label="Panels">
           <Head columns={columnsFor(kind)} order={order.value} onSort={sort} />

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What is wrong with a net, said before anything is solved.
+
 import { useEffect } from "preact/hooks";
 import { kept, type Page } from "../../state/page.ts";
 import type { ColourBy } from "../../state/page-state.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { measureNet, netAngles, netFault } from "./net-angles.ts";
 import { EAGER_POINTS } from "./planarise-preview.ts";
@@ -33,18 +35,15 @@ function ColourPanels() {
   const page = usePage();
   useEffect(() => () => giveBack(page), [page]);
   return (
-    <label class="check">
-      <input
-        type="checkbox"
-        checked={page.colourBy.value === "conjugacy"}
-        onChange={({ currentTarget }) => {
-          if (currentTarget.checked) colour(page);
-          else if (taken(page).colours) giveBack(page);
-          else page.colourBy.value = "shape";
-        }}
-      />
-      <span>Colour panels by it</span>
-    </label>
+    <Check
+      label="Colour panels by it"
+      checked={page.colourBy.value === "conjugacy"}
+      onChange={(on) => {
+        if (on) colour(page);
+        else if (taken(page).colours) giveBack(page);
+        else page.colourBy.value = "shape";
+      }}
+    />
   );
 }
 

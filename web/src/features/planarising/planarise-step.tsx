@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How an opened mesh becomes flat, shown on the model before it is done: close to what was opened, or
 // fair.
+
 import { signal } from "@preact/signals";
 import { kept, type Page } from "../../state/page.ts";
+import { Check } from "../../ui/check.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "./planarising.css";
 import { useEffect, useMemo } from "preact/hooks";
@@ -175,14 +177,11 @@ export function PlanariseStep({ live }: { live: boolean }) {
         onInput={choose}
         onCommit={choose}
       />
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={keepBoundary}
-          onChange={({ currentTarget }) => change({ keepBoundary: currentTarget.checked })}
-        />
-        <span>Keep the boundary where it is</span>
-      </label>
+      <Check
+        label="Keep the boundary where it is"
+        checked={keepBoundary}
+        onChange={(on) => change({ keepBoundary: on })}
+      />
       <div class="planarise-bounds">
         <Choice
           label="Flat"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Cuts the view open along a plane, and says what it cuts.
+
 import { useEffect } from "preact/hooks";
 import { sectionLength } from "../../mesh/plane-section.ts";
 import { counted } from "../../quantity/counted.ts";
 import { formatLength } from "../../quantity/units.ts";
 import { sectionPlane } from "../../state/shown-section.ts";
 import { Ask } from "../../ui/ask.tsx";
+import { Check } from "../../ui/check.tsx";
 import { Choice } from "../../ui/choice.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
@@ -55,16 +57,13 @@ function Place() {
         value={plane.at}
         onInput={({ currentTarget }) => move(Number(currentTarget.value))}
       />
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={plane.flipped}
-          onChange={({ currentTarget }) => {
-            shown.value = { ...plane, flipped: currentTarget.checked };
-          }}
-        />
-        <span>Show the other side</span>
-      </label>
+      <Check
+        label="Show the other side"
+        checked={plane.flipped}
+        onChange={(on) => {
+          shown.value = { ...plane, flipped: on };
+        }}
+      />
       <p class="quiet small">
         {cut.panels === 0
           ? "It cuts nothing there."

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 import { useSignal } from "@preact/signals";
+import { Check } from "../../ui/check.tsx";
 import "./going-along.css";
 import { EVERYTHING, snapshotsToSend, type Taken } from "../../export/companions.ts";
 import { designLink } from "../../export/design-link.ts";
@@ -80,16 +81,12 @@ function GoingAlong({ taken, onChange }: GoingAlongProps) {
         <fieldset class="going-along">
           <legend>Goes along, beside the view that you have now</legend>
           {here.map(([key, words]) => (
-            <label key={key} class="check">
-              <input
-                type="checkbox"
-                checked={taken[key]}
-                onChange={({ currentTarget }) =>
-                  onChange({ ...taken, [key]: currentTarget.checked })
-                }
-              />
-              <span>{words}</span>
-            </label>
+            <Check
+              key={key}
+              label={words}
+              checked={taken[key]}
+              onChange={(on) => onChange({ ...taken, [key]: on })}
+            />
           ))}
         </fieldset>
       )}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which mirror planes and turns of the mesh every edit follows.
 
+import { Check } from "../../ui/check.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { findMirrors, mirrors, mostImages, noMirrors, setMirrors } from "./symmetry.ts";
@@ -40,18 +41,12 @@ export function SymmetryRule() {
       </div>
       {AXES.map((axis, k) => (
         <div key={axis} class="keep-out-row symmetry-row">
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={across[k] ?? false}
-              disabled={!page.ready.value}
-              onChange={({ currentTarget }) => {
-                const to = replaced(across, k, currentTarget.checked);
-                void setMirrors(page, { across: to, turns });
-              }}
-            />
-            <span>{`Mirror across ${axis}`}</span>
-          </label>
+          <Check
+            label={`Mirror across ${axis}`}
+            checked={across[k] ?? false}
+            disabled={!page.ready.value}
+            onChange={(on) => void setMirrors(page, { across: replaced(across, k, on), turns })}
+          />
           <LimitField
             label={`Turns about ${axis}`}
             about={`that the mesh has about ${axis}; 0 for none`}

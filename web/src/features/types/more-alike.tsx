@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 import { useSignal } from "@preact/signals";
+import { Check } from "../../ui/check.tsx";
 import { LimitField } from "../../ui/limit-field.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import { type AlikeChoice, makeAlike } from "./more-alike.ts";
@@ -48,14 +50,11 @@ export function MoreAlike() {
           onApply={(value) => change({ types: value })}
         />
       </div>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={keepBoundary}
-          onChange={({ currentTarget }) => change({ keepBoundary: currentTarget.checked })}
-        />
-        The boundary stays
-      </label>
+      <Check
+        label="The boundary stays"
+        checked={keepBoundary}
+        onChange={(on) => change({ keepBoundary: on })}
+      />
       <button
         type="button"
         class="button small"

@@ -4,6 +4,7 @@ import { useEffect } from "preact/hooks";
 import { counted } from "../../quantity/counted.ts";
 import { formatLength, type Unit } from "../../quantity/units.ts";
 import type { ShownTypes } from "../../state/page-state.ts";
+import { Check } from "../../ui/check.tsx";
 import { NamedPanelsList } from "../../ui/named-panels.tsx";
 import { usePage } from "../../ui/page-context.ts";
 import "../../ui/legend-scales.css";
@@ -47,16 +48,13 @@ function Choice() {
           ))}
         </select>
       </label>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={choice.mirrored}
-          onChange={({ currentTarget }) => {
-            page.typesChoice.value = { ...choice, mirrored: currentTarget.checked };
-          }}
-        />
-        Turned over, too
-      </label>
+      <Check
+        label="Turned over, too"
+        checked={choice.mirrored}
+        onChange={(on) => {
+          page.typesChoice.value = { ...choice, mirrored: on };
+        }}
+      />
     </div>
   );
 }
