@@ -12,34 +12,24 @@ const TURNS: Readonly<Record<UpAxis, readonly [number, number, number]>> = {
   x: [2, 3, 1],
 };
 
-type Written = readonly [string, string, string];
-
 function negated(number: string): string {
   if (Number(number) === 0) return number;
   return number.startsWith("-") ? number.slice(1) : `-${number}`;
 }
 
-function intoFile(place: Written, up: UpAxis): Written {
-  const own: [string, string, string] = ["", "", ""];
-  TURNS[up].forEach((axis, k) => {
-    const part = place[k] ?? "";
-    own[Math.abs(axis) - 1] = axis < 0 ? negated(part) : part;
+/** What has `from` up as `to` has it: for each axis then the one now, as in TURNS. */
+const between = (from: UpAxis, to: UpAxis): readonly number[] =>
+  TURNS[to].map((axis) => {
+    const k = TURNS[from].findIndex((one) => Math.abs(one) === Math.abs(axis));
+    return Math.sign(axis) * Math.sign(TURNS[from][k] ?? 0) * (k + 1);
   });
-  return own;
-}
-
-const outOfFile = (place: Written, up: UpAxis): string =>
-  TURNS[up]
-    .map((axis) => {
-      const part = place[Math.abs(axis) - 1] ?? "";
-      return axis < 0 ? negated(part) : part;
-    })
-    .join(" ");
 
 /** An OBJ that was turned for `from` turned for `to`: every number keeps its digits. */
 export function turnedObj(text: string, from: UpAxis, to: UpAxis): string {
-  return text.replace(/^v (\S+) (\S+) (\S+)/gm, (_, x: string, y: string, z: string) => {
-    return `v ${outOfFile(intoFile([x, y, z], from), to)}`;
+  const axes = between(from, to);
+  return text.replace(/^v (\S+) (\S+) (\S+)/gm, (_, ...place: string[]) => {
+    const part = (axis: number): string => place[Math.abs(axis) - 1] ?? "";
+    return `v ${axes.map((axis) => (axis < 0 ? negated(part(axis)) : part(axis))).join(" ")}`;
   });
 }
 

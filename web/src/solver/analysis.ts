@@ -41,8 +41,11 @@ export class DesignAnalysis {
     this.#family = null;
   }
 
-  panels({ fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures {
-    const analysis = this.#current();
+  panels(also: AlsoMeasured): PanelMeasures {
+    return this.#measures(this.#current(), also);
+  }
+
+  #measures(analysis: Analysis, { fairness, folds, defectsOf }: AlsoMeasured): PanelMeasures {
     return {
       figures: analysis.panelFigures(),
       health: analysis.panelHealth(),
@@ -65,15 +68,7 @@ export class DesignAnalysis {
   measure({ moved, positions }: Shape, fairness?: Fairness): PanelMeasures {
     const analysis = this.#current();
     analysis.show(moved, positions);
-    return {
-      figures: analysis.panelFigures(),
-      health: analysis.panelHealth(),
-      nodes: analysis.nodesToRemake(),
-      damage: analysis.panelDamage(),
-      folds: analysis.panelFolds(),
-      bending: fairness ? analysis.vertexBending(this.#module.FairnessKind[fairness]) : null,
-      defects: null,
-    };
+    return this.#measures(analysis, { fairness: fairness ?? null, folds: true, defectsOf: null });
   }
 
   /** Stops of each slider of a family, the others where they are: lower stop, its panel, upper stop, its panel. */
