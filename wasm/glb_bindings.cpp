@@ -95,10 +95,9 @@ val assemble(const std::string& mesh, const val& base, const val& support, const
 }
 
 /// OBJ in and out; no bytes where there is no memory.
-template <std::string (*mend)(std::string_view)>
-val mended(const std::string& mesh) {
+val mend(const std::string& mesh, const std::string& way) {
   try {
-    return copy(mend(mesh));
+    return copy(planish::mended(mesh, way));
   } catch (const std::exception&) {
     return copy(std::string());
   }
@@ -118,10 +117,8 @@ val joined_points(const val& points, double within) {
 EMSCRIPTEN_BINDINGS(planish_glb) {
   emscripten::function("openGlb", &open);
   emscripten::function("assembleGlb", &assemble);
-  emscripten::function("joinTriangles", &mended<planish::join_triangles_of>);
-  emscripten::function("joinPoints", &mended<planish::join_points_of>);
+  emscripten::function("mend", &mend);
   emscripten::function("joinedPoints", &joined_points);
-  emscripten::function("orient", &mended<planish::orient_of>);
   emscripten::function("readDesign", &read_design);
   emscripten::function(
       "writeDesign",

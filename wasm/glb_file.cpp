@@ -39,25 +39,15 @@ std::string assemble_glb(std::string_view mesh, const GlbContent& content) {
   return write_glb(file->mesh, content);
 }
 
-std::string join_triangles_of(std::string_view mesh) {
-  const ReadResult read = read_obj(mesh);
-  const auto* file = std::get_if<MeshFile>(&read);
-  return file == nullptr ? "" : write_obj(join_triangles(file->mesh));
-}
-
-std::string join_points_of(std::string_view mesh) {
+std::string mended(std::string_view mesh, std::string_view way) {
   const ReadResult read = read_obj(mesh);
   const auto* file = std::get_if<MeshFile>(&read);
   if (file == nullptr) return "";
+  if (way == "joinTriangles") return write_obj(join_triangles(file->mesh));
+  if (way == "orient") return write_obj(oriented(file->mesh).mesh);
   const ReadResult joined = join_points(file->mesh);
   const auto* whole = std::get_if<MeshFile>(&joined);
   return whole == nullptr ? "" : write_obj(whole->mesh);
-}
-
-std::string orient_of(std::string_view mesh) {
-  const ReadResult read = read_obj(mesh);
-  const auto* file = std::get_if<MeshFile>(&read);
-  return file == nullptr ? "" : write_obj(oriented(file->mesh).mesh);
 }
 
 }  // namespace planish

@@ -31,16 +31,9 @@ struct OpenedGlb {
 [[nodiscard]] std::string assemble_glb(std::string_view mesh, const GlbContent& content);
 
 /// @param mesh OBJ
-/// @return OBJ with its triangles joined into quads, or "" if `mesh` cannot be read
-[[nodiscard]] std::string join_triangles_of(std::string_view mesh);
-
-/// @param mesh OBJ
-/// @return OBJ with the points joined that its panels have of their own, or "" where that gives no
-/// mesh
-[[nodiscard]] std::string join_points_of(std::string_view mesh);
-
-/// @param mesh OBJ
-/// @return OBJ with panels turned until neighbours agree, or "" if `mesh` cannot be read
-[[nodiscard]] std::string orient_of(std::string_view mesh);
+/// @param way joinTriangles: into quads; orient: panels are turned until neighbours agree;
+/// joinPoints: those that its panels have of their own
+/// @return OBJ, or "" if `mesh` cannot be read or joining points gives no mesh
+[[nodiscard]] std::string mended(std::string_view mesh, std::string_view way);
 
 }  // namespace planish

@@ -102,14 +102,10 @@ val project(const MeshHold& mesh, const std::string& asked, const MeshHold& refe
     return shared(make_projection(*mesh, asked, reference.get(), to_progress(progress)));
   });
 }
-val convert(const MeshHold& mesh, const std::string& asked) {
-  return answer([&] { return shared(make_conversion(*mesh, asked)); });
-}
-val offset(const MeshHold& mesh, const std::string& asked) {
-  return answer([&] { return shared(make_offset(*mesh, asked)); });
-}
-val mobility(const MeshHold& mesh, const std::string& asked) {
-  return answer([&] { return shared(make_mobility(*mesh, asked)); });
+/// {value} with what `make` makes of a mesh alone.
+template <auto make>
+val made(const OpenMesh& mesh, const std::string& asked) {
+  return answer([&] { return shared(make(mesh, asked)); });
 }
 /// @param limit keeps the word that the row looks at
 MobilityRow to_row(const val& value, const std::string& limit) {
@@ -144,9 +140,6 @@ val mobility_file(const MobilityRun& run, const val& values, const std::string& 
     for (std::size_t k = 0; k < list.size(); ++k) rows.push_back(to_row(list[k], limits[k]));
     return copy(mobility_bytes(name, run.base().mesh, rows));
   });
-}
-val types(const MeshHold& mesh, const std::string& asked) {
-  return answer([&] { return shared(make_types(*mesh, asked)); });
 }
 val read_design_text(const std::string& text) {
   return answer([&] { return shared(design_of_text(text)); });
@@ -256,10 +249,10 @@ EMSCRIPTEN_BINDINGS(planish_package) {
   function("explore", &explore);
   function("variation", &variation);
   function("project", &project);
-  function("convert", &convert);
-  function("offset", &offset);
-  function("mobility", &mobility);
-  function("types", &types);
+  function("convert", &made<make_conversion>);
+  function("offset", &made<make_offset>);
+  function("mobility", &made<make_mobility>);
+  function("types", &made<make_types>);
   function("readDesign", &read_design_text);
   function("options", &option_table);
 }

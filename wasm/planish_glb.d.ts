@@ -30,12 +30,9 @@ export interface GlbModule {
     offset: Float64Array,
     design: DesignValue,
   ): Uint8Array;
-  /** OBJ, its triangles joined into quads; empty without memory. */
-  joinTriangles(mesh: Uint8Array): Uint8Array;
-  /** OBJ, the points joined that its panels have of their own; empty where that gives no mesh. */
-  joinPoints(mesh: Uint8Array): Uint8Array;
-  /** OBJ, its panels turned until neighbours agree; empty without memory. */
-  orient(mesh: Uint8Array): Uint8Array;
+  /** OBJ, its triangles joined into quads, the points that its panels have of their own, or its panels
+   * turned until neighbours agree; empty where that gives no mesh, or without memory. */
+  mend(mesh: Uint8Array, way: "joinTriangles" | "joinPoints" | "orient"): Uint8Array;
   /** Of each point (x, y, z) the number of the one whose place it takes, from 0 in the order of those
    * that keep theirs; none without memory. `within`: model units. */
   joinedPoints(points: Float64Array, within: number): Int32Array;

@@ -56,20 +56,20 @@ TEST(GlbFile, WithoutADesignTheMeshItselfOpens) {
 
 TEST(GlbFile, MendsWhatAProgramTook) {
   const std::string apart = write_obj(testing::points_apart(testing::four_panels()));
-  const ReadResult whole = read_obj(join_points_of(apart));
+  const ReadResult whole = read_obj(mended(apart, "joinPoints"));
   EXPECT_EQ(testing::outcome(whole), "9 points, 4 faces");
   const std::string turned =
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 3 6 5\n";
-  EXPECT_EQ(testing::outcome(read_obj(orient_of(turned))), "6 points, 2 faces");
-  EXPECT_EQ(join_points_of("v 0 0"), "");
-  EXPECT_EQ(orient_of("v 0 0"), "");
+  EXPECT_EQ(testing::outcome(read_obj(mended(turned, "orient"))), "6 points, 2 faces");
+  EXPECT_EQ(mended("v 0 0", "joinPoints"), "");
+  EXPECT_EQ(mended("v 0 0", "orient"), "");
 }
 
 TEST(GlbFile, SaysWhatIsWrong) {
   const auto opened = open_glb("no GLB");
   ASSERT_TRUE(std::holds_alternative<std::string>(opened));
   EXPECT_NE(std::get<std::string>(opened), "");
-  EXPECT_EQ(join_triangles_of("v 0 0"), "");
+  EXPECT_EQ(mended("v 0 0", "joinTriangles"), "");
   EXPECT_EQ(assemble_glb("v 0 0", {}), "");
   EXPECT_EQ(assemble_glb(write_obj(*make_sample("hex", 5)), {Positions::Zero(3, 1), {}, ""}), "");
 }

@@ -38,7 +38,7 @@ export class DesignFiles {
 
   /** OBJ in and out. */
   async mend(way: Mending, mesh: Uint8Array): Promise<Uint8Array> {
-    return (await this.#module())[way](mesh);
+    return (await this.#module()).mend(mesh, way);
   }
 
   async read(text: string): Promise<DesignReading> {
