@@ -8,7 +8,7 @@ from typing import Any
 
 from . import _core
 from .mesh import Mesh
-from .request import asked, request
+from .request import Bounds, Constraints, asked, request
 from .shape import DesignedShape, Progress
 
 
@@ -90,10 +90,10 @@ def edit(
     continuation: int | None = None,
     symmetry: str | None = None,
     hard: bool | None = None,
-    bounds: Mapping[str, Any] | Iterable[str] | None = None,
+    bounds: Bounds | None = None,
     keep_outs: Iterable[str] | None = None,
     clearance: float | str | None = None,
-    constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    constraints: Constraints | None = None,
     locality: float | None = None,
     smoothness: float | None = None,
     softness: float | None = None,

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Generator, Iterable, Mapping
+from collections.abc import Callable, Generator, Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from .errors import UsageError
 from .mesh import Mesh
-from .request import asked, request
+from .request import Bounds, Constraints, asked, request
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -59,8 +59,8 @@ def mobility(
     vertices: Iterable[int] | None = None,
     range: float | str | None = None,
     steps: int | None = None,
-    bounds: Mapping[str, Any] | Iterable[str] | None = None,
-    constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    bounds: Bounds | None = None,
+    constraints: Constraints | None = None,
     locality: float | None = None,
     smoothness: float | None = None,
     softness: float | None = None,

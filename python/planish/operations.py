@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 from . import _core
 from .mesh import Mesh
 from .report import Report
-from .request import asked, request
+from .request import Bounds, Constraints, asked, request
 from .shape import Progress, Shape
 
 
@@ -29,8 +29,8 @@ def project(
     within: float | str | None = None,
     pins: Iterable[int] | None = None,
     keep_boundary: bool | None = None,
-    bounds: Mapping[str, Any] | Iterable[str] | None = None,
-    constraints: Mapping[str, float | None] | Iterable[str] | None = None,
+    bounds: Bounds | None = None,
+    constraints: Constraints | None = None,
     supports: Iterable[str] | None = None,
     split: int | str | None = None,
     move: float | str | None = None,

@@ -13,6 +13,9 @@ import numbers
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+Bounds = Mapping[str, Any] | Iterable[str]  # {"fold": "+5"}, or ["fold=+5"]
+Constraints = Mapping[str, float | None] | Iterable[str]  # {"circular": 1e-9}, or ["circular"]
+
 
 def asked(arguments: Mapping[str, Any], *others: str) -> dict[str, Any]:
     """The options among the arguments of a function, its locals() at its start, by their names.
