@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
+import { placesOf, shownIn } from "./as-shown.ts";
 import { cornerLimit, foldLimit, type LimitedEdit } from "./found-limits.ts";
 import { furthest, MET, NOTICEABLE } from "./how-far.ts";
 import type {
@@ -38,6 +39,8 @@ const SEARCH_MS = 2000;
 /** Frames more that one takes where its time is over before anything holds it back: else a pointer that
  * stands would say nothing. */
 const CATCHING_UP = 6;
+/** Iterations of a solve: paths to the same targets take about ten times as many. */
+const MOST_FOR_PATHS = 100;
 /** For the frame at the end of a drag, if it was not shown: longer than any takes. */
 const FRAME_SECONDS = 10;
 
@@ -78,6 +81,8 @@ export class Edits {
   readonly #session: Session;
   #hold = new PullHold();
   #reach = new ReachSteps();
+  /** Whether a drag's frame that was held back shows what held last. */
+  #showsKept = false;
   readonly #slivers: () => number;
   #settings: EditSettings | null = null;
 
@@ -225,17 +230,36 @@ export class Edits {
     const to = request.targets.handles;
     const session = this.#session;
     this.#setOptions(bounded(request.settings, limit));
+    if (this.#showsKept && this.#hold.heldBackFrom(to)) return this.#rested(limit, request);
     const frames = {
       edit: (handles: HandleList, settled: boolean): boolean => {
         if (settled) session.goBack();
+        this.#showsKept = false;
         this.#follow(limit, request, handles);
         return arrives(limit, handles, session.shapeReport());
       },
-      keep: () => session.keepEdit(),
-      back: () => session.showKept(),
+      keep: () => {
+        session.keepEdit();
+        this.#showsKept = true;
+      },
+      back: () => {
+        session.showKept();
+        this.#showsKept = true;
+      },
     };
     const taken = this.#hold.take(limit.from, to, frames, SEARCH_MS);
     return taken === to ? null : taken;
+  }
+
+  /** A pull that was held back and goes no further: what it is held at settles. */
+  #rested(limit: PullLimit, request: EditRequest): HandleList {
+    const session = this.#session;
+    const { taken } = this.#hold;
+    if (session.shapeReport().status !== "iteration_limit") return taken;
+    this.#attempt(request, taken, "drag");
+    if (arrives(limit, taken, session.shapeReport())) session.keepEdit();
+    else session.showKept();
+    return taken;
   }
 
   /**
@@ -265,12 +289,27 @@ export class Edits {
   #comesTo(limit: PullLimit, request: EditRequest, { shown, behind }: LastFrame): boolean {
     const length = longestWay(limit.from, shown);
     if (length === 0) return false;
-    const short = longestWay(this.#placesOf(shown, limit.base), shown);
-    this.#attempt(request, shown, "solve");
+    const short = longestWay(placesOf(this.#session, shown, limit.base), shown);
+    // No path leads to what frames left behind.
+    if (behind) this.#attempt(request, shown, "solve");
+    else this.#endAt(limit, request, shown);
     const report = this.#session.shapeReport();
     if (isStuck(report)) return false;
     const meets = arrivalOf(limit, shown, report, length).over <= 0;
     return meets || behind || report.handleError <= short;
+  }
+
+  /** Of handles that a drag showed; where frames had settled to another shape, along a path that has that, if any. */
+  #endAt(limit: PullLimit, request: EditRequest, shown: HandleList): void {
+    const session = this.#session;
+    const hadSettled = session.shapeReport().status === "converged";
+    const isAsShown = shownIn(session);
+    session.keepEdit();
+    this.#attempt(request, shown, "solve");
+    if (!hadSettled || session.shapeReport().iterations > MOST_FOR_PATHS) return;
+    if (isAsShown(longestWay(limit.base, shown))) return;
+    session.showKept();
+    this.#attempt(request, shown, "release");
   }
 
   /** How a drag ended, which its own last frame need not have shown; null without a drag. */
@@ -294,19 +333,12 @@ export class Edits {
 
   /** What is shown is all that panels follow. */
   #leftBehind(limit: PullLimit, handles: HandleList, bound: boolean): LastFrame {
-    return { arrives: false, bound, behind: true, shown: this.#placesOf(handles, limit.base) };
-  }
-
-  /** Where the shape that is shown has the handles. */
-  #placesOf(handles: HandleList, base: HandleList): HandleList {
-    const [moved, positions] = [this.#session.moved(), this.#session.movedPositions()];
-    const places = [...handles];
-    for (let k = 0; k < places.length; k += 4) {
-      const place = moved.indexOf(places[k] ?? -1);
-      for (const axis of [0, 1, 2])
-        places[k + 1 + axis] = (place < 0 ? base[k + 1 + axis] : positions[3 * place + axis]) ?? 0;
-    }
-    return places;
+    return {
+      arrives: false,
+      bound,
+      behind: true,
+      shown: placesOf(this.#session, handles, limit.base),
+    };
   }
 
   /** null where the handles meet what they are asked to. */
