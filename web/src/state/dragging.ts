@@ -12,7 +12,7 @@ import {
   withTaken,
 } from "../design/design.ts";
 import { type Frame, pointFrame } from "../mesh/point-frame.ts";
-import { add, type Vector } from "../mesh/vector.ts";
+import { add } from "../mesh/vector.ts";
 import { boundNames } from "../solver/bounds.ts";
 import type { Question } from "../solver/client.ts";
 import { foldGrowth, isFound, stepOf } from "../solver/found-limits.ts";
@@ -286,8 +286,8 @@ export class Drag {
     return this.#asked.map((row) => settled.get(row.vertex) ?? row);
   }
 
-  #noteSettling(design: Design, shown: ReadonlyMap<number, Vector>): void {
-    const most = movesShown(this.#page)?.farthestFrom(shown) ?? 0;
+  #noteSettling(design: Design): void {
+    const most = movesShown(this.#page)?.farthest ?? 0;
     const pull = longestWay(this.#page, this.#asked);
     lastSettling(this.#page).value = { design, most, pull };
   }
@@ -303,9 +303,9 @@ export class Drag {
       const design = { ...value, handles: this.#askedOf(present) };
       const limit = this.#limitFor(this.#through);
       const tried = { limit, reaches: this.#reaches };
-      const shown = movesShown(this.#page)?.ways;
+      movesShown(this.#page)?.mark();
       const made = await commitEdit(this.#page, design, "release", null, tried);
-      if (made?.ok && shown) this.#noteSettling(made.value, shown);
+      if (made?.ok) this.#noteSettling(made.value);
       this.#letGo();
       if (!made?.ok || made.value.handles === design.handles) return made;
       this.#sayHeld(true);

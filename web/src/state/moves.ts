@@ -10,12 +10,16 @@ import { onChanges } from "./connection.ts";
 import { kept, type Page } from "./page.ts";
 import { motionEnd } from "./ramp-ends.ts";
 
+const STILL: Vector = [0, 0, 0];
+
 export class Moves {
   readonly mesh: OpenedMesh;
   /** By vertex, model units; points at rest are not there. */
   readonly lengths = new Map<number, number>();
   readonly #ways = new Map<number, Vector>();
   readonly #oldSurface: OldSurface;
+  /** Of the points that changed since the last mark, as they were then. */
+  #marked = new Map<number, Vector>();
   /** Of all that moved; null until someone asks. */
   #motions: ReadonlyMap<number, Motion> | null = null;
 
@@ -51,19 +55,17 @@ export class Moves {
     return this.#oldSurface.motion(vertex, add(place, this.#ways.get(vertex) ?? [0, 0, 0]));
   }
 
-  /** Of every point that moved, from its base; a copy. */
-  get ways(): ReadonlyMap<number, Vector> {
-    return new Map(this.#ways);
+  /** From here on `farthest` counts. */
+  mark(): void {
+    this.#marked = new Map();
   }
 
-  /** How far points are from where `ways` had them, at most; model units. */
-  farthestFrom(ways: ReadonlyMap<number, Vector>): number {
-    const moved = new Set([...ways.keys(), ...this.#ways.keys()]);
-    const still: Vector = [0, 0, 0];
-    return [...moved].reduce((most, v) => {
-      const apart = minus(this.#ways.get(v) ?? still, ways.get(v) ?? still);
-      return Math.max(most, Math.hypot(...apart));
-    }, 0);
+  /** How far points are from where they were at the last mark, at most; model units. */
+  get farthest(): number {
+    return Array.from(this.#marked, ([v, before]) => minus(this.#way(v), before)).reduce(
+      (most, apart) => Math.max(most, Math.hypot(...apart)),
+      0,
+    );
   }
 
   /** The value at the ends of the legend, model units; 0 where nothing moved. */
@@ -79,7 +81,12 @@ export class Moves {
     return this.mesh.positions[3 * vertex + axis] ?? 0;
   }
 
+  #way(vertex: number): Vector {
+    return this.#ways.get(vertex) ?? STILL;
+  }
+
   #note(vertex: number, way: Vector): void {
+    if (!this.#marked.has(vertex)) this.#marked.set(vertex, this.#way(vertex));
     const length = Math.hypot(...way);
     if (length > 0) {
       this.lengths.set(vertex, length);
