@@ -34,6 +34,7 @@ import {
 import { moveWeights } from "./fall-off.ts";
 import { formatDegrees } from "./fold.ts";
 import { shownTab } from "./inspector.ts";
+import { lastLeftBehind } from "./left-behind.ts";
 import { movesShown } from "./moves.ts";
 import type { Page } from "./page.ts";
 import type { Lock } from "./page-state.ts";
@@ -304,12 +305,14 @@ export class Drag {
       const limit = this.#limitFor(this.#through);
       const tried = { limit, reaches: this.#reaches };
       movesShown(this.#page)?.mark();
+      const isAtLimit = boundNames(this.#page.figures.value).length > 0;
       const made = await commitEdit(this.#page, design, "release", null, tried);
       if (made?.ok) this.#noteSettling(made.value);
       this.#letGo();
       if (!made?.ok || made.value.handles === design.handles) return made;
       this.#sayHeld(true);
       this.#want(made.value);
+      lastLeftBehind(this.#page).value = isAtLimit ? null : made.value;
       // The Edit tab says why, and what goes further.
       shownTab(this.#page).value = "edit";
       return made;

@@ -19,12 +19,13 @@ import { limitNumbers } from "../design/stated-limit.ts";
 import { withoutImages } from "../design/symmetry.ts";
 import { row } from "../mesh/topology.ts";
 import { GIVEN_UP } from "../result/result.ts";
-import type { Question } from "../solver/client.ts";
+import type { Answer, Question } from "../solver/client.ts";
 import { FAIR_STEPS, foldGrowth } from "../solver/found-limits.ts";
 import type {
   EditMode,
   EditSettings,
   PullLimit,
+  Shape,
   ShapeReport,
   SoughtLimits,
 } from "../solver/protocol.ts";
@@ -125,6 +126,8 @@ const goesOnFrom = (page: Page, design: Design | undefined, burst: string | null
   return burst !== null && latest?.burst === burst && latest.design === design;
 };
 
+type Made = Extract<Answer, { kind: "shown" }> & { readonly shape: Shape };
+
 /**
  * Computes `next` and records it; a failure keeps the last design, on screen and in the solver.
  * @param burst names the keys on a slider that it is one of
@@ -141,19 +144,28 @@ export async function commit(
   const answer = await run(page, label, ask, "shown");
   const steady = page.history.value;
   if (!answer.ok || !steady) return answer.ok ? undefined : restorePresent(page, answer);
-  const { shape, report, taken, placed, found, reach } = answer.value;
+  const { shape, found } = answer.value;
   if (!shape) return restorePresent(page, GIVEN_UP);
-  const to = taken ?? placed;
-  const handles = to ? withTaken(next.handles, to) : next.handles;
-  const limits = [...next.settings.limits, ...found];
-  const continuation = continuationOf(ask, report, next);
-  const settings = { ...next.settings, limits, reach: reach ?? next.settings.reach, continuation };
-  const done: Design = { ...next, handles, settings, shape, report };
+  const done = designOf(next, ask, { ...answer.value, shape });
   recordStep(page, steady, done, burst);
   if (page.draft.value === next) page.draft.value = done;
   if (found.length > 0) page.notice.value = `${found.map(keptTo).join(" ")} ${GO_ON}`;
   if (leftBehind(steady.present) && !done.variation) page.notice.value = LEFT_BEHIND;
   return { ok: true, value: done };
+}
+
+/** `next` as the solver made it. */
+export function designOf(
+  next: Design,
+  ask: Question,
+  { shape, report, taken, placed, found, reach }: Made,
+): Design {
+  const to = taken ?? placed;
+  const handles = to ? withTaken(next.handles, to) : next.handles;
+  const limits = [...next.settings.limits, ...found];
+  const continuation = continuationOf(ask, report, next);
+  const settings = { ...next.settings, limits, reach: reach ?? next.settings.reach, continuation };
+  return { ...next, handles, settings, shape, report };
 }
 
 /** The steps that an edit took; a variation of it leaves them as they are. */

@@ -8,6 +8,7 @@ import { commitSettings } from "../../state/editing.ts";
 import { settled, shortfalls, varied } from "../../state/shortfall.ts";
 import { usePage } from "../../ui/page-context.ts";
 import { PanelButton } from "../../ui/panel-button.tsx";
+import { catchUp, isCatchingUp } from "./catching-up.ts";
 import { goOn, type Stopped, stopped } from "./going-on.ts";
 import { SplitWay } from "./split-way.tsx";
 import { endTries, gainsNow, tryWays } from "./way-gains.ts";
@@ -60,12 +61,14 @@ function WaysOn({ design, found }: { design: Design; found: Stopped }) {
   const page = usePage();
   const { stop, reason, growth, sought } = found;
   const quiet = page.ready.value && settled(page).value;
+  const catching = isCatchingUp(page);
   const ways = waysOn(design, reason, growth, sought);
   useEffect(() => {
-    if (!quiet) return;
-    const timer = setTimeout(() => void tryWays(page, ways), TRIED_AFTER_MS);
+    if (!quiet || catching) return;
+    const begin = () => void (isCatchingUp(page) || tryWays(page, ways));
+    const timer = setTimeout(begin, TRIED_AFTER_MS);
     return () => clearTimeout(timer);
-  }, [page, found, quiet]);
+  }, [page, found, quiet, catching]);
   useEffect(() => () => endTries(page), [page, found]);
   const gains = gainsNow(page);
   return (
@@ -104,6 +107,10 @@ function WaysOn({ design, found }: { design: Design; found: Stopped }) {
 export function StoppedNote() {
   const page = usePage();
   const [design, found] = [page.history.value?.present, stopped(page).value];
+  const idle = page.ready.value && !page.busy.value;
+  useEffect(() => {
+    if (idle) void catchUp(page);
+  }, [page, found, idle]);
   if (!design || !found) return null;
   const { stop, reason, growth, sought } = found;
   const { unit } = page;

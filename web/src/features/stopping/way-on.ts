@@ -107,7 +107,8 @@ export function reasonWords(
 
 const WITHIN = "Within the limit";
 
-const within = (growth: number | null): WayOn => ({
+/** Of a drag that was held back. */
+export const within = (growth: number | null): WayOn => ({
   label: WITHIN,
   title: "As far as other panels can share the bend",
   change: {},
