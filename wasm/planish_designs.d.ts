@@ -34,6 +34,8 @@ export interface Defaults {
   readonly buildableCorners: string;
   /** Of every format of meshes the media type of its files. */
   readonly formats: Readonly<Record<MeshFormat, string>>;
+  /** Degrees by which folds may sharpen, of an edit that nobody gave a limit. */
+  readonly fairFolds: readonly number[];
   /** zlib's preset dictionary of links "#v2=": ASCII. */
   readonly linkDictionary: string;
 }

@@ -3,6 +3,9 @@
 
 import type { Session } from "./planish.d.ts";
 import type { SplitModule } from "./planish_cuts.d.ts";
+import type { FairModule } from "./planish_fair.d.ts";
+
+export type * from "./planish_fair.d.ts";
 
 /** The edit that makes few panels again, beside its shape. */
 export interface FewestFound {
@@ -19,8 +22,8 @@ export interface FewestFound {
   readonly limits: readonly string[];
 }
 
-/** What looks for other edits in place of one: with panels split, or with few to make again. */
-export interface EditWays extends SplitModule {
+/** What looks for other edits in place of one: with panels split, with limits, or with few to make again. */
+export interface EditWays extends SplitModule, FairModule {
   /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
    * to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. What it
    * holds are pins from here on, its limits options. */

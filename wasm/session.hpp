@@ -16,6 +16,7 @@
 #include "planish/cuts/cut_mesh.hpp"
 #include "planish/design/design.hpp"
 #include "planish/design/design_steps.hpp"
+#include "planish/edit/fair_limits.hpp"
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
 #include "planish/measures/metrics.hpp"
@@ -103,6 +104,12 @@ class Session {
   /// `targets` without supports: those that were set. kRelease chooses the continuation itself; the
   /// report says it, and whether a solve at once ends lower.
   [[nodiscard]] Refusal edit(EditMode mode, EditTargets targets, double budget_seconds);
+  /// edit() with the limits that cost its handles nothing, see find_fair_limits(): from here on
+  /// those of all edits, beside those that were set.
+  [[nodiscard]] Refusal edit_fairly(EditMode mode, const EditTargets& targets,
+                                    double budget_seconds, const FairSearch& search);
+  /// What the last edit_fairly() found.
+  [[nodiscard]] const std::vector<StatedLimit>& fair_found() const { return fair_found_; }
   /// The edit that makes few panels again, see find_buildable_fewest(). From here on what it holds
   /// are pins of the targets, its limits those of all edits.
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
@@ -202,6 +209,7 @@ class Session {
   [[nodiscard]] Eigen::Vector3d shown_place(const CutMesh& made, int vertex) const;
   [[nodiscard]] std::vector<PointSupport> with_added_points(
       const std::vector<PointSupport>& supports) const;
+  [[nodiscard]] FairStanding fair_standing(bool with_slivers) const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
   /// take_targets() for an edit, whose base must be flat and keep its constraints.
@@ -267,6 +275,7 @@ class Session {
   Replayed replayed_;
   HybridStanding hybrid_;
   BuildableFewest fewest_found_;
+  std::vector<StatedLimit> fair_found_;
   Progress progress_;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "fair_run.hpp"
 #include "lengths.hpp"
 #include "mesh_files.hpp"
 #include "planish/constraints/kept_kinds.hpp"
@@ -133,6 +134,7 @@ std::vector<OptionRow> edit_command_rows() {
                   "of the longest way of a handle, within which handles have arrived for\n"
                   "--fewest and --split-where-needed; default 5%"});
   rows.push_back(split_option_row());
+  rows.push_back(fair_option_row());
   for (OptionRow& row : type_counting_rows()) rows.push_back(std::move(row));
   rows.push_back({"--symmetry", "auto|off|x|y|z|axis:N",
                   "default off; an edit of one point edits its images. x, y, z: the mirror\n"

@@ -5,6 +5,7 @@
 
 #include "cut_run.hpp"
 #include "edit_options.hpp"
+#include "fair_run.hpp"
 #include "lengths.hpp"
 #include "planish/design/cut_base.hpp"
 #include "planish/text/number.hpp"
@@ -95,6 +96,7 @@ EditRequest edit_request(const Request& request) {
   asked.symmetry = stated_symmetry(request);
   asked.fewest = fewest_options(request);
   asked.splits = split_options(request);
+  asked.fair = asks_for_fair(request);
   asked.types = type_counting(request);
   for (const Json& stated : request.values("--handle")) {
     const auto [handle, relative] = parse_handle(stated, asked.unit);

@@ -25,6 +25,7 @@ struct EditRequest {
   std::optional<StatedSymmetry> symmetry;
   std::optional<FewestOptions> fewest;
   std::optional<SplitOptions> splits;
+  bool fair = false;  ///< with the limits that cost the handles nothing
   std::optional<TypeCounting> types;
   EditTargets targets = {};
   std::vector<bool> relative = {};  ///< of each handle: its target is a way from the base

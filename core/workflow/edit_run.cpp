@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cut_run.hpp"
+#include "fair_run.hpp"
 #include "planish/design/cut_base.hpp"
 #include "planish/design/cut_images.hpp"
 #include "planish/measures/metrics.hpp"
@@ -121,6 +122,12 @@ HandleEditResult solve_fewest(EditRun& run, const Progress& progress) {
 HandleEditResult solve_edit(EditRun& run, const Progress& progress) {
   if (run.asked.fewest && !run.asked.splits) return solve_fewest(run, progress);
   const DesignSteps steps = steps_of(run);
+  if (run.asked.fair) {
+    const FairTask task{run.base.mesh, run.given.positions, run.targets.handles};
+    FairSolve solved = solve_fairly(task, steps, run.asked.options, progress);
+    run.fair = std::move(solved.found);
+    return std::move(solved.result);
+  }
   if (!run.asked.splits) return steps.edit(progress);
   SplitSolve solved = solve_split(run.base.mesh, steps.images(), run.asked.options,
                                   *run.asked.splits, steps.symmetry(), progress);
@@ -235,6 +242,7 @@ Json edit_json(const EditRun& run, const Positions& after) {
   if (run.cut) add_cuts(json, *run.cut);
   if (run.fewest) json["fewest"] = fewest_json(run);
   if (run.splits) json["splits"] = splits_json(*run.splits);
+  if (run.fair) json["fair"] = fair_json(*run.fair);
   if (run.asked.types) json["types"] = type_change_json(*run.asked.types, run.base.mesh, after);
   if (run.symmetry) {
     json["symmetry"] = symmetry_json(*run.symmetry, run.base.mesh, after);

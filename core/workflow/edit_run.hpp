@@ -42,8 +42,8 @@ struct FlatBase {
 
 /// An edit with everything that the commands report about it.
 struct EditRun {
-  /// The request: its options with the limits that --fewest adds to those that were given, its cuts
-  /// with those that --split-where-needed adds.
+  /// The request: its options with the limits that --fewest or --fair adds to those that were
+  /// given, its cuts with those that --split-where-needed adds.
   EditRequest asked;
   Mesh given;  ///< as in the file; where there are cuts: parted as they part the flat mesh
   DesignSource source;
@@ -56,7 +56,8 @@ struct EditRun {
   SymmetricBase evened;                  ///< how the base became symmetric
   std::optional<FewestEdit> fewest;      ///< its result apart; targets.pins has what it holds
   std::optional<SplitRun> splits;  ///< where panels are parted for the handles; asked.cuts has them
-  Positions edited;                ///< 3 × n
+  std::optional<std::vector<StatedLimit>> fair;  ///< what --fair found; asked.options has it
+  Positions edited;                              ///< 3 × n
   SolveReport report;
 };
 

@@ -83,6 +83,7 @@ def edit(
     fewest: str | int | None = None,
     split_where_needed: int | None = None,
     within_handle: str | None = None,
+    fair: bool | None = None,
     count_types: float | str | None = None,
     mirrored: bool | None = None,
     pins: Iterable[int] | None = None,
@@ -124,6 +125,8 @@ def edit(
             many panels.
         split_where_needed: at most so many panels are parted where the handles stop short.
         within_handle: of the longest way of a handle, within which handles have arrived for these two, "5%".
+        fair: limits how much folds sharpen and the corners of slivers, where that costs the handles nothing
+            and `bounds` has no such limit.
         count_types: how many types of panels there are before and after, in the report: alike within a
             length in units of the mesh or a share of the mean edge, "0.5%".
         mirrored: for count_types: a panel may be its template turned over.

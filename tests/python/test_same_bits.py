@@ -200,6 +200,15 @@ class SameBits(InFolder):
         self.check_report("f.report", edit.report)
         self.assertTrue(edit.report.fewest["minimal"])
 
+    def test_fair(self):
+        self.command("edit", "sample:vault:13", "--handle=84+=0,0,0.7", "--softness=5", "--reach=4",
+                     "--keep-boundary", "--fair", "-o", "f.obj", "--report", "f.report")
+        edit = planish.edit(planish.Mesh.read("sample:vault:13"), {84: (0, 0, 0.7)}, softness=5, reach=4,
+                            keep_boundary=True, fair=True)
+        self.check_file("f.obj", edit)
+        self.check_report("f.report", edit.report)
+        self.assertTrue(edit.report.fair["bounds"])
+
     def test_split_where_needed(self):
         self.command("edit", "sample:vault:12", "--handle=26+=0,0,0.9", "--softness=3", "--reach=2",
                      "--keep-boundary", "--bound=fold=+12", "--split-where-needed=1", "-o", "s.obj",

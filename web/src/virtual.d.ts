@@ -28,5 +28,6 @@ declare module "virtual:core-defaults" {
   export const newSliver: Defaults["newSliver"];
   export const buildableCorners: Defaults["buildableCorners"];
   export const formats: Defaults["formats"];
+  export const fairFolds: Defaults["fairFolds"];
   export const linkDictionary: Defaults["linkDictionary"];
 }

@@ -154,4 +154,18 @@ bool became_sliver(const Positions& before, const Positions& after, std::span<co
          panel_health(before, face).smallest_angle >= kSliverAngle;
 }
 
+int count_new_slivers(const Mesh& mesh, const Positions& before, const Positions& after) {
+  int count = 0;
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const bool changed =
+        std::any_of(face.begin(), face.end(), [&](int v) { return after.col(v) != before.col(v); });
+    if (changed && panel_damage(before, after, face) == PanelDamage::kNone &&
+        became_sliver(before, after, face)) {
+      ++count;
+    }
+  }
+  return count;
+}
+
 }  // namespace planish

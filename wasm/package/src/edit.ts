@@ -28,6 +28,9 @@ export interface EditOptions extends Partial<EditValues> {
   readonly splitWhereNeeded?: number;
   /** Of the longest way of a handle, within which handles have arrived for these two: "5%". */
   readonly withinHandle?: string;
+  /** Limits how much folds sharpen and the corners of slivers, where that costs the handles nothing and
+   * `bounds` has no such limit; `bounds` of the design. */
+  readonly fair?: boolean;
   /** Counts types of panels before and after, for the report: alike within a length in units of the mesh,
    * or a share of the mean edge, "0.5%". */
   readonly countTypes?: number | string;

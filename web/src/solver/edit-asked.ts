@@ -3,6 +3,8 @@
 
 import type { EditOptions } from "@wasm/planish.mjs";
 
+export type { SoughtLimits } from "@wasm/planish.mjs";
+
 export type Fairness = EditOptions["fairness"];
 export type EditMode = "drag" | "release" | "solve";
 
@@ -26,14 +28,6 @@ export interface EditSettings extends EditOptions {
 
 /** Handles are vertex, x, y, z for each, model units. */
 export type HandleList = readonly number[];
-
-/** What an edit gets unasked, where that costs its handles nothing: see found-limits.ts. */
-export interface SoughtLimits {
-  /** Of the handle that goes furthest, from the base to its target; model units. */
-  readonly way: number;
-  readonly folds: boolean;
-  readonly corners: boolean;
-}
 
 export interface PullLimit {
   /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */

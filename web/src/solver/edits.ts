@@ -2,7 +2,6 @@
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
 import type { PlanishModule, Session } from "@wasm/planish.mjs";
 import { placesOf, shownIn } from "./as-shown.ts";
-import { cornerLimit, foldLimit, type LimitedEdit } from "./found-limits.ts";
 import { furthest, MET, NOTICEABLE } from "./how-far.ts";
 import type {
   EditMode,
@@ -11,7 +10,6 @@ import type {
   PullLimit,
   Reply,
   Request,
-  ShapeReport,
   SplitFinding,
   SplitStanding,
 } from "./protocol.ts";
@@ -52,6 +50,9 @@ function bounded(settings: EditSettings, limit: PullLimit): EditSettings {
 
 const withReach = (request: EditRequest, reach: number | null): EditRequest =>
   reach === null ? request : { ...request, settings: { ...request.settings, reach } };
+
+const stepsOf = ({ mode, settings }: EditRequest): number =>
+  mode === "solve" ? settings.continuation : 0;
 
 export interface Edited {
   /** Where the handles were held back to; null where they are as asked. */
@@ -164,9 +165,10 @@ export class Edits {
     return { shape, report: session.shapeReport(), found: this.#module.fewestFound(session) };
   }
 
-  #attempt({ mode, targets, settings, budget }: EditRequest, to: HandleList, how: EditMode): void {
-    const steps = mode === "solve" ? settings.continuation : 0;
+  #attempt(request: EditRequest, to: HandleList, how: EditMode): void {
+    const { targets, budget } = request;
     const [handles, pins] = [Float64Array.from(to), Int32Array.from(targets.pins)];
+    const steps = stepsOf(request);
     insist(this.#session.edit(this.#module.EditMode[how], handles, pins, steps, budget));
   }
 
@@ -181,10 +183,7 @@ export class Edits {
       const isDone = report.status === "converged" && suffices(report, sought?.way ?? 0, MET);
       if (isDone && this.#slivers() === 0) return { taken: null, found: [], reach };
     }
-    const asked = withReach(request, last);
-    this.#setOptions(asked.settings);
-    this.#attempt(asked, targets.handles, mode);
-    return { taken: null, found: this.#findLimits(asked), reach: last };
+    return { taken: null, found: this.#fairly(withReach(request, last)), reach: last };
   }
 
   /** With the reach of the drag that ends, whose own last frame need not have been shown. */
@@ -361,30 +360,21 @@ export class Edits {
     return share === 1 ? null : between(limit.from, to, share);
   }
 
-  /** Makes the edit again with the limits that cost its handles nothing: these. */
-  #findLimits(request: EditRequest): readonly string[] {
-    const { settings, sought, targets, mode } = request;
-    if (!sought) return [];
-    let found: readonly string[] = [];
-    const tryOne = (find: (edit: LimitedEdit) => string | null): void => {
-      const edit = (limits: readonly string[]): ShapeReport => {
-        this.#setOptions({ ...settings, limits: [...settings.limits, ...limits] });
-        this.#attempt(request, targets.handles, mode);
-        return this.#session.shapeReport();
-      };
-      let tried = false;
-      const limit = find((one) => {
-        tried = true;
-        return edit([...found, one]);
-      });
-      if (limit !== null) found = [...found, limit];
-      else if (tried) edit(found);
-    };
-    const report = (): ShapeReport => this.#session.shapeReport();
-    if (sought.folds) tryOne((edit) => foldLimit(report(), sought.way, edit));
-    const counted = (shown: ShapeReport) => ({ report: shown, slivers: this.#slivers() });
-    if (sought.corners)
-      tryOne((edit) => cornerLimit(counted(report()), sought.way, (one) => counted(edit(one))));
+  /** Makes the edit, where limits are sought with those that cost its handles nothing: these. */
+  #fairly(request: EditRequest): readonly string[] {
+    const { mode, settings, sought, targets, budget } = request;
+    this.#setOptions(settings);
+    if (!sought) {
+      this.#attempt(request, targets.handles, mode);
+      return [];
+    }
+    const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
+    const [how, steps] = [this.#module.EditMode[mode], stepsOf(request)];
+    this.#settings = null; // where it is refused, which the session has is not known
+    const answer = [handles, pins, steps, budget, sought] as const;
+    insist(this.#module.editFairly(this.#session, how, ...answer));
+    const found = this.#module.fairFound(this.#session);
+    this.#settings = { ...settings, limits: [...settings.limits, ...found], continuation: 0 };
     return found;
   }
 

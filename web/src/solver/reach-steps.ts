@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The smallest reach with which an edit is no worse than it has to be: in one drag it grows, and stays.
-import { FAIR_STEPS, foldGrowth } from "./found-limits.ts";
+import { fairFolds } from "virtual:core-defaults";
+import { foldGrowth } from "./found-limits.ts";
 import type { HandleList, ShapeReport } from "./protocol.ts";
 import { isBound, isStuck } from "./pull-limit.ts";
 
@@ -14,7 +15,7 @@ export const REACHES: readonly number[] = [2, 3, 4, 6];
  */
 export function suffices(report: ShapeReport, way: number, most: number): boolean {
   const arrives = !isStuck(report) && !isBound(report) && report.handleError <= most * way;
-  return arrives && foldGrowth(report) <= (FAIR_STEPS[0] ?? 0);
+  return arrives && foldGrowth(report) <= (fairFolds[0] ?? 0);
 }
 
 /** The reach of one drag. */

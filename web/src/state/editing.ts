@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every way to change an edit. Each ends as one step of the history.
 
-import { buildableCorners, newSliver } from "virtual:core-defaults";
+import { buildableCorners, fairFolds, newSliver } from "virtual:core-defaults";
 import {
   type Design,
   FIRST_SETTINGS,
@@ -20,7 +20,7 @@ import { withoutImages } from "../design/symmetry.ts";
 import { row } from "../mesh/topology.ts";
 import { GIVEN_UP } from "../result/result.ts";
 import type { Answer, Question } from "../solver/client.ts";
-import { FAIR_STEPS, foldGrowth } from "../solver/found-limits.ts";
+import { foldGrowth } from "../solver/found-limits.ts";
 import type {
   EditMode,
   EditSettings,
@@ -87,7 +87,7 @@ function soughtFor(page: Page, { settings, handles }: Design): SoughtLimits | nu
   const { softness, hardHandles, limits } = settings;
   if (softness === 0 || hardHandles) return null;
   const isFree = (head: string): boolean => !limits.some((limit) => limit.startsWith(head));
-  const isSharp = foldGrowth(page.figures.value) > (FAIR_STEPS[0] ?? 0);
+  const isSharp = foldGrowth(page.figures.value) > (fairFolds[0] ?? 0);
   const isThin = page.panelDamage.value?.includes(newSliver) ?? false;
   return {
     way: longestWay(page, handles),

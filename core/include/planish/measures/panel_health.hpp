@@ -45,4 +45,8 @@ enum class PanelDamage {
 [[nodiscard]] bool became_sliver(const Positions& before, const Positions& after,
                                  std::span<const int> face);
 
+/// How many panels became slivers and nothing worse. O(n).
+[[nodiscard]] int count_new_slivers(const Mesh& mesh, const Positions& before,
+                                    const Positions& after);
+
 }  // namespace planish
