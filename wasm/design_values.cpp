@@ -272,6 +272,8 @@ val defaults_value() {
   value.set("newSliver", static_cast<int>(kNewSliver));
   value.set("buildableCorners", std::string(kBuildableCorners));
   value.set("formats", format_media());
+  value.set("metShare", kMet);
+  value.set("noticeableShare", kNoticeable);
   value.set("fairFolds", list_of(kFairFolds, [](double degrees) { return degrees; }));
   value.set("linkDictionary", std::string(kLinkDictionary));
   return value;

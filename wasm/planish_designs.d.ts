@@ -34,6 +34,10 @@ export interface Defaults {
   readonly buildableCorners: string;
   /** Of every format of meshes the media type of its files. */
   readonly formats: Readonly<Record<MeshFormat, string>>;
+  /** Of its way: as near to its target a handle meets it. */
+  readonly metShare: number;
+  /** Of its way: a handle that stops short by less is not said to. */
+  readonly noticeableShare: number;
   /** Degrees by which folds may sharpen, of an edit that nobody gave a limit. */
   readonly fairFolds: readonly number[];
   /** zlib's preset dictionary of links "#v2=": ASCII. */

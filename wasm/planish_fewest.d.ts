@@ -3,8 +3,10 @@
 
 import type { Session } from "./planish.d.ts";
 import type { SplitModule } from "./planish_cuts.d.ts";
+import type { DragModule } from "./planish_drag.d.ts";
 import type { FairModule } from "./planish_fair.d.ts";
 
+export type * from "./planish_drag.d.ts";
 export type * from "./planish_fair.d.ts";
 
 /** The edit that makes few panels again, beside its shape. */
@@ -22,8 +24,8 @@ export interface FewestFound {
   readonly limits: readonly string[];
 }
 
-/** What looks for other edits in place of one: with panels split, with limits, or with few to make again. */
-export interface EditWays extends SplitModule, FairModule {
+/** What looks for other edits in place of one: with panels split, with limits, nearer, or with few to make again. */
+export interface EditWays extends SplitModule, FairModule, DragModule {
   /** Shows the edit that makes few panels again. `withinHandle`: of the longest way of a handle, so near
    * to their targets handles have arrived; `mostPanels`: enough of them, 0 for as few as can be. What it
    * holds are pins from here on, its limits options. */

@@ -19,6 +19,7 @@
 #include "planish/edit/fair_limits.hpp"
 #include "planish/edit/fewest.hpp"
 #include "planish/edit/handle_edit.hpp"
+#include "planish/edit/pull_hold.hpp"
 #include "planish/measures/metrics.hpp"
 #include "planish/mesh/adjacency.hpp"
 #include "planish/projection/planarising.hpp"
@@ -52,6 +53,30 @@ struct Replayed {
   std::vector<int> directions;  ///< of each variation
   SparseShape centre;           ///< what the last one was found around; empty without any
   double deviation = 0.0;       ///< from the recorded result, see deviation()
+};
+
+/// How handles are pulled.
+enum class PullWay {
+  kFollow,  ///< a frame of a drag, which may take the time of several to catch up
+  /// Such a frame, kept where it suffices with the panels that may follow; else what is shown is
+  /// the edit kept before.
+  kNear,
+  kHold,      ///< such a frame, which limits may hold back, see PullHold::take()
+  kRelease,   ///< as far as handles get, see furthest(), the end of the way by EditMode::kRelease
+  kFurthest,  ///< as kRelease, by EditMode::kSolve
+};
+
+struct Pulled {
+  bool suffices = false;                     ///< of kNear
+  std::optional<std::vector<Handle>> taken;  ///< to where handles were taken back, if they were
+};
+
+/// Where the edit that is shown stands with its handles, see the functions of these names.
+struct PullStanding {
+  bool is_stuck = false;
+  bool is_bound = false;
+  bool arrives = false;
+  bool lags = false;
 };
 
 /// As --constraint says it. What cannot be read breaks a rule of find_problem().
@@ -115,6 +140,20 @@ class Session {
   [[nodiscard]] Refusal fewest(EditTargets targets, const FewestOptions& asked);
   /// What the last fewest() found.
   [[nodiscard]] const BuildableFewest& fewest_found() const { return fewest_found_; }
+  /// Edits under the limit of a drag, as pulled() tells.
+  [[nodiscard]] Refusal pull(PullWay way, const EditTargets& targets, double budget_seconds,
+                             const PullLimit& limit);
+  /// What the last pull() gave.
+  [[nodiscard]] const Pulled& pulled() const { return pulled_; }
+  /// What holds back the drag that goes on.
+  [[nodiscard]] const PullHold& pull_hold() const { return pull_hold_; }
+  /// No drag goes on.
+  void forget_drag() { pull_hold_ = {}; }
+  /// Of the edit that is shown, which was asked to get to `handles`.
+  [[nodiscard]] PullStanding pull_standing(const PullLimit& limit,
+                                           const std::vector<Handle>& handles) const;
+  /// Of the edit that is shown; without slivers.
+  [[nodiscard]] EditStanding standing() const;
   /// Keeps the edit that is shown, and where a drag stands.
   void keep_edit();
   /// The next frame of the drag follows the one kept; what is shown stays.
@@ -209,7 +248,7 @@ class Session {
   [[nodiscard]] Eigen::Vector3d shown_place(const CutMesh& made, int vertex) const;
   [[nodiscard]] std::vector<PointSupport> with_added_points(
       const std::vector<PointSupport>& supports) const;
-  [[nodiscard]] FairStanding fair_standing(bool with_slivers) const;
+  [[nodiscard]] int slivers() const;
   [[nodiscard]] Refusal require_flat_base() const;
   [[nodiscard]] Refusal take_targets(EditTargets& targets);
   /// take_targets() for an edit, whose base must be flat and keep its constraints.
@@ -225,6 +264,13 @@ class Session {
   }
   [[nodiscard]] static Refusal find_image_problem(const DesignSteps& steps);
   [[nodiscard]] Refusal require_kept_constraints();
+  [[nodiscard]] Refusal follow(const EditTargets& targets, double budget_seconds,
+                               const PullLimit& limit);
+  [[nodiscard]] Refusal rest(EditTargets targets, double budget_seconds, const PullLimit& limit);
+  [[nodiscard]] Refusal hold(const EditTargets& targets, double budget_seconds,
+                             const PullLimit& limit);
+  [[nodiscard]] Refusal go_furthest(EditMode first, const EditTargets& targets,
+                                    double budget_seconds, const PullLimit& limit);
   void renew_solver();
   void show(const std::vector<int>& moved, const Positions& positions);
   [[nodiscard]] Refusal check_coefficients(const Eigen::VectorXd& coefficients) const;
@@ -276,6 +322,9 @@ class Session {
   HybridStanding hybrid_;
   BuildableFewest fewest_found_;
   std::vector<StatedLimit> fair_found_;
+  PullHold pull_hold_;
+  bool shows_held_ = false;  ///< a frame that was held back shows what held last
+  Pulled pulled_;
   Progress progress_;
 };
 

@@ -13,30 +13,30 @@ Refusal Session::edit_fairly(EditMode mode, const EditTargets& targets, double b
   fair_found_.clear();
   if (Refusal refusal = edit(mode, targets, budget_seconds)) return refusal;
   const HandleEditOptions asked = options_;
+  const auto shown = [&] {
+    EditStanding edit = standing();
+    if (search.corners) edit.slivers = slivers();
+    return edit;
+  };
   Refusal last;
   const LimitedEdit limited =
-      [&](const std::vector<StatedLimit>& limits) -> std::optional<FairStanding> {
+      [&](const std::vector<StatedLimit>& limits) -> std::optional<EditStanding> {
     HandleEditOptions options = asked;
     options.bounds.insert(options.bounds.end(), limits.begin(), limits.end());
     last = set_options(std::move(options));
     if (!last) last = edit(mode, targets, budget_seconds);
     if (last) return std::nullopt;
-    return fair_standing(search.corners);
+    return shown();
   };
-  fair_found_ = find_fair_limits(fair_standing(search.corners), search, limited);
+  fair_found_ = find_fair_limits(shown(), search, limited);
   return last;
 }
 
-/// Slivers are told of what was opened, as the page does.
-FairStanding Session::fair_standing(bool with_slivers) const {
-  const ShapeReport& shown = shape_report_;
+/// Told of what was opened, as the page does.
+int Session::slivers() const {
   const bool is_planarised = before_planarising_.cols() > 0;
   const Positions& opened = is_planarised ? before_planarising_ : base_.positions;
-  return {.status = shown.solve.status,
-          .moved_vertices = shown.moved_vertices,
-          .handle_error = shown.handle_error,
-          .fold_growth = shown.fold_growth,
-          .slivers = with_slivers ? count_new_slivers(base_, opened, current_) : 0};
+  return count_new_slivers(base_, opened, current_);
 }
 
 }  // namespace planish

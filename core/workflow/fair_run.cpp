@@ -29,7 +29,7 @@ bool asks_for_fair(const Request& request) {
 
 namespace {
 
-FairStanding standing_of(const FairTask& task, const HandleEditResult& result) {
+EditStanding standing_of(const FairTask& task, const HandleEditResult& result) {
   const Positions after = apply(task.base, result);
   const Adjacency adjacency = build_adjacency(task.base);
   const std::vector<int> touched = faces_of(adjacency, result.moved);
@@ -54,7 +54,7 @@ FairSolve solve_fairly(const FairTask& task, const DesignSteps& steps, HandleEdi
   if (!stands(fair.result.report)) return fair;
   const std::vector<StatedLimit> stated = options.bounds;
   const LimitedEdit limited =
-      [&](const std::vector<StatedLimit>& limits) -> std::optional<FairStanding> {
+      [&](const std::vector<StatedLimit>& limits) -> std::optional<EditStanding> {
     options.bounds = stated;
     options.bounds.insert(options.bounds.end(), limits.begin(), limits.end());
     solver.set_options(options);

@@ -18,14 +18,14 @@ using Texts = std::vector<std::string>;
 constexpr double kWay = 2.0;
 const std::string kCorners(kBuildableCorners);
 
-FairStanding standing(double growth, double short_of, int slivers = 0) {
+EditStanding standing(double growth, double short_of, int slivers = 0) {
   return {.moved_vertices = 9,
           .handle_error = short_of * kWay,
           .fold_growth = growth,
           .slivers = slivers};
 }
 
-FairStanding given_up(FairStanding standing) {
+EditStanding given_up(EditStanding standing) {
   standing.status = SolveStatus::kInfeasibleHandles;
   return standing;
 }
@@ -42,11 +42,11 @@ struct Found {
 };
 
 /// Edits that end as `answers` says, by their limits; any other is refused.
-Found find(const FairStanding& free, std::map<std::string, FairStanding> answers,
+Found find(const EditStanding& free, std::map<std::string, EditStanding> answers,
            FairSearch search = {.way = kWay}) {
   answers[""] = free;
   Found found;
-  const auto edit = [&](const std::vector<StatedLimit>& limits) -> std::optional<FairStanding> {
+  const auto edit = [&](const std::vector<StatedLimit>& limits) -> std::optional<EditStanding> {
     found.tried.push_back(text_of(limits));
     const auto answer = answers.find(found.tried.back());
     return answer == answers.end() ? std::nullopt : std::optional(answer->second);
@@ -72,7 +72,7 @@ TEST(FairLimits, OnFoldsAreTheFirstWithWhichHandlesLoseNoMoreThanATwentiethOfThe
 }
 
 TEST(FairLimits, AreNoneWhereEachCostsTheHandlesMoreAndTheEditIsMadeAgainWithoutThem) {
-  const std::map<std::string, FairStanding> far = {{"fold=+10", standing(10.0, 0.3)},
+  const std::map<std::string, EditStanding> far = {{"fold=+10", standing(10.0, 0.3)},
                                                    {"fold=+20", standing(20.0, 0.3)}};
   const Found both = find(standing(60.0, 0.01), far);
   EXPECT_EQ(both.limits, "");
@@ -81,11 +81,11 @@ TEST(FairLimits, AreNoneWhereEachCostsTheHandlesMoreAndTheEditIsMadeAgainWithout
 }
 
 TEST(FairLimits, TakeNoEditThatGaveUpOrMovedNothingOrIsRefusedThoughItIsAsNear) {
-  const FairStanding free = standing(14.0, 0.01);
-  const FairStanding near = standing(10.0, 0.01);
+  const EditStanding free = standing(14.0, 0.01);
+  const EditStanding near = standing(10.0, 0.01);
   EXPECT_EQ(find(free, {{"fold=+10", near}}).limits, "fold=+10");
   EXPECT_EQ(find(free, {{"fold=+10", given_up(near)}}).limits, "");
-  FairStanding still = near;
+  EditStanding still = near;
   still.moved_vertices = 0;
   EXPECT_EQ(find(free, {{"fold=+10", still}}).limits, "");
   const Found refused = find(free, {});
@@ -94,7 +94,7 @@ TEST(FairLimits, TakeNoEditThatGaveUpOrMovedNothingOrIsRefusedThoughItIsAsNear) 
 }
 
 TEST(FairLimits, AreLookedForOnlyWhereTheyAreAskedFor) {
-  const FairStanding free = standing(60.0, 0.01, 3);
+  const EditStanding free = standing(60.0, 0.01, 3);
   const FairSearch corners{.way = kWay, .folds = false};
   const FairSearch folds{.way = kWay, .corners = false};
   EXPECT_EQ(find(free, {}, corners).tried, (Texts{kCorners, ""}));
@@ -102,8 +102,8 @@ TEST(FairLimits, AreLookedForOnlyWhereTheyAreAskedFor) {
 }
 
 TEST(FairLimits, OnCornersAreThoseThatPanelsCanBeBuiltWithWhereHandlesAndFoldsStayAsTheyAre) {
-  const FairStanding free = standing(10.0, 0.01, 3);
-  const auto within = [&](const FairStanding& limited) {
+  const EditStanding free = standing(10.0, 0.01, 3);
+  const auto within = [&](const EditStanding& limited) {
     return find(free, {{kCorners, limited}}).limits;
   };
   EXPECT_EQ(within(standing(10.0, 0.059)), kCorners);

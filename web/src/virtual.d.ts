@@ -28,6 +28,8 @@ declare module "virtual:core-defaults" {
   export const newSliver: Defaults["newSliver"];
   export const buildableCorners: Defaults["buildableCorners"];
   export const formats: Defaults["formats"];
+  export const metShare: Defaults["metShare"];
+  export const noticeableShare: Defaults["noticeableShare"];
   export const fairFolds: Defaults["fairFolds"];
   export const linkDictionary: Defaults["linkDictionary"];
 }

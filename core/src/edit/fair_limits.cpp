@@ -17,11 +17,11 @@ constexpr double kLoss = 0.05;
 
 class FairLimits {
  public:
-  FairLimits(const FairStanding& free, double way, const LimitedEdit& edit)
+  FairLimits(const EditStanding& free, double way, const LimitedEdit& edit)
       : standing_(free), way_(way), edit_(edit) {}
 
   void limit_folds() {
-    const FairStanding free = standing_;
+    const EditStanding free = standing_;
     for (const double degrees : kFairFolds) {
       if (degrees >= free.fold_growth) continue;
       const auto limited = attempt({std::string(FoldLimit::kName), 0.0, degrees, true});
@@ -31,7 +31,7 @@ class FairLimits {
   }
 
   void limit_corners() {
-    const FairStanding free = standing_;
+    const EditStanding free = standing_;
     if (free.slivers == 0) return;
     const auto limited = attempt(*parse_stated_limit(kBuildableCorners));
     const double fair = std::max(free.fold_growth, kFairFolds.front()) + kRounding;
@@ -46,19 +46,19 @@ class FairLimits {
 
  private:
   /// Whether handles get about as far with a limit as in `free`, the edit without it.
-  [[nodiscard]] bool costs_nothing(const FairStanding& free, const FairStanding& limited) const {
+  [[nodiscard]] bool costs_nothing(const EditStanding& free, const EditStanding& limited) const {
     return limited.moved_vertices > 0 && limited.status != SolveStatus::kInfeasibleHandles &&
            limited.handle_error <= free.handle_error + kLoss * way_;
   }
 
-  std::optional<FairStanding> attempt(StatedLimit limit) {
+  std::optional<EditStanding> attempt(StatedLimit limit) {
     std::vector<StatedLimit> limits = found_;
     limits.push_back(std::move(limit));
     tried_ = limits;
     return edit_(limits);
   }
 
-  void keep(const FairStanding& limited) {
+  void keep(const EditStanding& limited) {
     standing_ = limited;
     found_ = *std::exchange(tried_, std::nullopt);
   }
@@ -69,7 +69,7 @@ class FairLimits {
     if (const auto again = edit_(found_)) standing_ = *again;
   }
 
-  FairStanding standing_;  ///< of the edit with what was found
+  EditStanding standing_;  ///< of the edit with what was found
   double way_;
   const LimitedEdit& edit_;
   std::vector<StatedLimit> found_;
@@ -78,7 +78,7 @@ class FairLimits {
 
 }  // namespace
 
-std::vector<StatedLimit> find_fair_limits(const FairStanding& free, const FairSearch& search,
+std::vector<StatedLimit> find_fair_limits(const EditStanding& free, const FairSearch& search,
                                           const LimitedEdit& edit) {
   FairLimits limits(free, search.way, edit);
   if (search.folds) limits.limit_folds();

@@ -9,6 +9,7 @@
 #include "edit/edit_model.hpp"
 #include "edit/edit_search.hpp"
 #include "edit/free_space_images.hpp"
+#include "edit/switching/parting_planes.hpp"
 #include "edit/symmetric_solve.hpp"
 #include "planish/numeric/stopwatch.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an edit is asked with, between the page and the solver worker.
 
-import type { EditOptions } from "@wasm/planish.mjs";
+import type { EditOptions, PullBounds } from "@wasm/planish.mjs";
 
 export type { SoughtLimits } from "@wasm/planish.mjs";
 
@@ -29,14 +29,9 @@ export interface EditSettings extends EditOptions {
 /** Handles are vertex, x, y, z for each, model units. */
 export type HandleList = readonly number[];
 
-export interface PullLimit {
+export interface PullLimit extends PullBounds {
   /** By which any fold may sharpen; ∞: the drag's own limit on folds does not act. */
   readonly degrees: number;
-  /** By how much of the longest way handles may stop short in any case. */
-  readonly short: number;
-  /** The handles at the start of the drag, in the order of its targets, and where the base has them. */
-  readonly from: HandleList;
+  /** Where the base has the handles. */
   readonly base: HandleList;
-  /** Edits that a search for how far it lets handles go may take beside the first, where not as many as usual. */
-  readonly tries?: number;
 }

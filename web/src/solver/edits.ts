@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Edits of one session: with the limit that holds a drag back, and the one that keeps folds fair.
-import type { PlanishModule, Session } from "@wasm/planish.mjs";
+
+import { metShare } from "virtual:core-defaults";
+import type { PlanishModule, Pulled, PullStanding, Session } from "@wasm/planish.mjs";
 import { placesOf, shownIn } from "./as-shown.ts";
-import { furthest, MET, NOTICEABLE } from "./how-far.ts";
 import type {
   EditMode,
   EditSettings,
@@ -13,30 +14,16 @@ import type {
   SplitFinding,
   SplitStanding,
 } from "./protocol.ts";
-import {
-  arrivalOf,
-  arrives,
-  between,
-  isBound,
-  isStuck,
-  keepsOwn,
-  lags,
-  longestWay,
-  ownBound,
-  PullHold,
-} from "./pull-limit.ts";
-import { ReachSteps, suffices } from "./reach-steps.ts";
+import { keepsOwn, longestWay, ownBound } from "./pull-limit.ts";
+import { ReachSteps } from "./reach-steps.ts";
 import { insist, Refused } from "./refused.ts";
 
 type EditRequest = Extract<Request, { kind: "edit" }>;
 
+type PullWay = keyof PlanishModule["PullWay"];
+
 type FewestAnswer = Omit<Extract<Reply, { kind: "fewest" }>, "kind" | "job">;
 
-/** How long a drag may wait for its limit. */
-const SEARCH_MS = 2000;
-/** Frames more that one takes where its time is over before anything holds it back: else a pointer that
- * stands would say nothing. */
-const CATCHING_UP = 6;
 /** Iterations of a solve: paths to the same targets take about ten times as many. */
 const MOST_FOR_PATHS = 100;
 /** For the frame at the end of a drag, if it was not shown: longer than any takes. */
@@ -50,6 +37,12 @@ function bounded(settings: EditSettings, limit: PullLimit): EditSettings {
 
 const withReach = (request: EditRequest, reach: number | null): EditRequest =>
   reach === null ? request : { ...request, settings: { ...request.settings, reach } };
+
+/** As the core takes them. */
+const arraysOf = ({ targets }: EditRequest, handles: HandleList = targets.handles) => ({
+  handles: Float64Array.from(handles),
+  pins: Int32Array.from(targets.pins),
+});
 
 const stepsOf = ({ mode, settings }: EditRequest): number =>
   mode === "solve" ? settings.continuation : 0;
@@ -80,10 +73,7 @@ interface LastFrame {
 export class Edits {
   readonly #module: PlanishModule;
   readonly #session: Session;
-  #hold = new PullHold();
   #reach = new ReachSteps();
-  /** Whether a drag's frame that was held back shows what held last. */
-  #showsKept = false;
   readonly #slivers: () => number;
   #settings: EditSettings | null = null;
 
@@ -101,7 +91,7 @@ export class Edits {
   }
 
   #forgetDrag(): void {
-    this.#hold = new PullHold();
+    this.#module.forgetDrag(this.#session);
     this.#reach = new ReachSteps();
   }
 
@@ -166,10 +156,9 @@ export class Edits {
   }
 
   #attempt(request: EditRequest, to: HandleList, how: EditMode): void {
-    const { targets, budget } = request;
-    const [handles, pins] = [Float64Array.from(to), Int32Array.from(targets.pins)];
+    const { handles, pins } = arraysOf(request, to);
     const steps = stepsOf(request);
-    insist(this.#session.edit(this.#module.EditMode[how], handles, pins, steps, budget));
+    insist(this.#session.edit(this.#module.EditMode[how], handles, pins, steps, request.budget));
   }
 
   /** Targets that are given, with the smallest reach of those tried that suffices. */
@@ -179,9 +168,10 @@ export class Edits {
     for (const reach of sought ? reaches.slice(0, -1) : []) {
       this.#setOptions({ ...settings, reach });
       this.#attempt(request, targets.handles, mode);
-      const report = this.#session.shapeReport();
-      const isDone = report.status === "converged" && suffices(report, sought?.way ?? 0, MET);
-      if (isDone && this.#slivers() === 0) return { taken: null, found: [], reach };
+      const { status } = this.#session.shapeReport();
+      const suffices = this.#module.suffices(this.#session, sought?.way ?? 0, metShare);
+      if (status === "converged" && suffices && this.#slivers() === 0)
+        return { taken: null, found: [], reach };
     }
     return { taken: null, found: this.#fairly(withReach(request, last)), reach: last };
   }
@@ -207,58 +197,33 @@ export class Edits {
 
   /** Whether a frame of the reach that there is suffices: else what is shown is the frame before. */
   #follows(limit: PullLimit, request: EditRequest): boolean {
-    const { handles } = request.targets;
     this.#setOptions(bounded(withReach(request, this.#reach.now).settings, limit));
-    this.#follow(limit, request, handles);
-    const way = longestWay(limit.base, handles);
-    const done = suffices(this.#session.shapeReport(), way, NOTICEABLE);
-    if (done) this.#session.keepEdit();
-    else this.#session.showKept();
-    return done;
-  }
-
-  /** A frame, which may take the time of several to catch up. */
-  #follow(limit: PullLimit, request: EditRequest, handles: HandleList): void {
-    this.#attempt(request, handles, "drag");
-    for (let k = 0; k < CATCHING_UP && lags(limit, handles, this.#session.shapeReport()); ++k)
-      this.#attempt(request, handles, "drag");
+    return this.#pull("near", limit, request).suffices;
   }
 
   /** A frame that a limit may hold back; null where its handles arrive. */
   #held(limit: PullLimit, request: EditRequest): HandleList | null {
-    const to = request.targets.handles;
-    const session = this.#session;
     this.#setOptions(bounded(request.settings, limit));
-    if (this.#showsKept && this.#hold.heldBackFrom(to)) return this.#rested(limit, request);
-    const frames = {
-      edit: (handles: HandleList, settled: boolean): boolean => {
-        if (settled) session.goBack();
-        this.#showsKept = false;
-        this.#follow(limit, request, handles);
-        return arrives(limit, handles, session.shapeReport());
-      },
-      keep: () => {
-        session.keepEdit();
-        this.#showsKept = true;
-      },
-      back: () => {
-        session.showKept();
-        this.#showsKept = true;
-      },
-    };
-    const taken = this.#hold.take(limit.from, to, frames, SEARCH_MS);
-    return taken === to ? null : taken;
+    return this.#takenBy("hold", limit, request);
   }
 
-  /** A pull that was held back and goes no further: what it is held at settles. */
-  #rested(limit: PullLimit, request: EditRequest): HandleList {
-    const session = this.#session;
-    const { taken } = this.#hold;
-    if (session.shapeReport().status !== "iteration_limit") return taken;
-    this.#attempt(request, taken, "drag");
-    if (arrives(limit, taken, session.shapeReport())) session.keepEdit();
-    else session.showKept();
-    return taken;
+  #pull(way: PullWay, limit: PullLimit, request: EditRequest): Pulled {
+    const { handles, pins } = arraysOf(request);
+    const [how, steps] = [this.#module.PullWay[way], stepsOf(request)];
+    const asked = [how, handles, pins, steps, request.budget, limit] as const;
+    const pulled = this.#module.pull(this.#session, ...asked);
+    insist(pulled.problem);
+    return pulled;
+  }
+
+  /** Where a pull takes handles back to; null where they are as asked. */
+  #takenBy(way: PullWay, limit: PullLimit, request: EditRequest): HandleList | null {
+    const { taken } = this.#pull(way, limit, request);
+    return taken && [...taken];
+  }
+
+  #standing(limit: PullLimit, handles: HandleList): PullStanding {
+    return this.#module.pullStanding(this.#session, Float64Array.from(handles), limit);
   }
 
   /**
@@ -280,7 +245,8 @@ export class Edits {
     this.#setOptions(bounded(settings, limit));
     if (last && !last.arrives && this.#comesTo(limit, request, last))
       return { taken: last.shown, found, reach };
-    return { taken: this.#furthest(limit, request, last?.arrives ? mode : "solve"), found, reach };
+    const way = last?.arrives && mode === "release" ? mode : "furthest";
+    return { taken: this.#takenBy(way, limit, request), found, reach };
   }
 
   /** Whether an edit of handles that a drag showed meets them, or comes as near as the drag, or as far as
@@ -292,10 +258,9 @@ export class Edits {
     // No path leads to what frames left behind.
     if (behind) this.#attempt(request, shown, "solve");
     else this.#endAt(limit, request, shown);
-    const report = this.#session.shapeReport();
-    if (isStuck(report)) return false;
-    const meets = arrivalOf(limit, shown, report, length).over <= 0;
-    return meets || behind || report.handleError <= short;
+    const { isStuck, arrives } = this.#standing(limit, shown);
+    if (isStuck) return false;
+    return arrives || behind || this.#session.shapeReport().handleError <= short;
   }
 
   /** Of handles that a drag showed; where frames had settled to another shape, along a path that has that, if any. */
@@ -313,21 +278,20 @@ export class Edits {
 
   /** How a drag ended, which its own last frame need not have shown; null without a drag. */
   #lastFrame(limit: PullLimit, request: EditRequest): LastFrame | null {
-    const dragged = this.#hold.goesOn(limit.from);
-    const shown = this.#hold.taken;
     const { handles } = request.targets;
-    const heldBack = this.#hold.heldBackFrom(handles);
+    const [from, to] = [Float64Array.from(limit.from), Float64Array.from(handles)];
+    const { goesOn, isHeldBack, taken } = this.#module.lastPull(this.#session, from, to);
+    const shown = [...taken];
     this.#forgetDrag();
-    if (!dragged) return null;
+    if (!goesOn) return null;
     // Whoever lets go there has seen how far it goes, be it for want of time.
-    const behind = lags(limit, shown, this.#session.shapeReport());
-    if (heldBack && behind) return this.#leftBehind(limit, handles, true);
-    if (heldBack) return { arrives: false, bound: true, behind, shown };
-    this.#follow(limit, { ...request, budget: FRAME_SECONDS }, handles);
-    const report = this.#session.shapeReport();
-    const bound = isBound(report);
-    if (lags(limit, handles, report)) return this.#leftBehind(limit, handles, bound);
-    return { arrives: arrives(limit, handles, report), bound, behind: false, shown };
+    const behind = this.#standing(limit, shown).lags;
+    if (isHeldBack && behind) return this.#leftBehind(limit, handles, true);
+    if (isHeldBack) return { arrives: false, bound: true, behind, shown };
+    this.#pull("follow", limit, { ...request, budget: FRAME_SECONDS });
+    const { isBound: bound, lags, arrives } = this.#standing(limit, handles);
+    if (lags) return this.#leftBehind(limit, handles, bound);
+    return { arrives, bound, behind: false, shown };
   }
 
   /** What is shown is all that panels follow. */
@@ -340,26 +304,6 @@ export class Edits {
     };
   }
 
-  /** null where the handles meet what they are asked to. */
-  #furthest(limit: PullLimit, request: EditRequest, first: EditMode): HandleList | null {
-    const to = request.targets.handles;
-    const session = this.#session;
-    const length = longestWay(limit.from, to);
-    const share = furthest(
-      {
-        edit: (at) => {
-          const handles = between(limit.from, to, at);
-          this.#attempt(request, handles, at === 1 ? first : "solve");
-          return arrivalOf(limit, handles, session.shapeReport(), length);
-        },
-        keep: () => session.keepEdit(),
-        back: () => session.showKept(),
-      },
-      limit.tries,
-    );
-    return share === 1 ? null : between(limit.from, to, share);
-  }
-
   /** Makes the edit, where limits are sought with those that cost its handles nothing: these. */
   #fairly(request: EditRequest): readonly string[] {
     const { mode, settings, sought, targets, budget } = request;
@@ -368,7 +312,7 @@ export class Edits {
       this.#attempt(request, targets.handles, mode);
       return [];
     }
-    const [handles, pins] = [Float64Array.from(targets.handles), Int32Array.from(targets.pins)];
+    const { handles, pins } = arraysOf(request);
     const [how, steps] = [this.#module.EditMode[mode], stepsOf(request)];
     this.#settings = null; // where it is refused, which the session has is not known
     const answer = [handles, pins, steps, budget, sought] as const;

@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The smallest reach with which an edit is no worse than it has to be: in one drag it grows, and stays.
-import { fairFolds } from "virtual:core-defaults";
-import { foldGrowth } from "./found-limits.ts";
-import type { HandleList, ShapeReport } from "./protocol.ts";
-import { isBound, isStuck } from "./pull-limit.ts";
+import type { HandleList } from "./protocol.ts";
 
 /** Panels around the handles. The last is the page's first setting, whatever it costs. */
 export const REACHES: readonly number[] = [2, 3, 4, 6];
-
-/**
- * Whether more panels need not follow: handles arrive, no panel is at a limit, no fold gets unfair.
- * @param way of the handle that goes furthest; model units
- * @param most the share of it by which handles may stop short
- */
-export function suffices(report: ShapeReport, way: number, most: number): boolean {
-  const arrives = !isStuck(report) && !isBound(report) && report.handleError <= most * way;
-  return arrives && foldGrowth(report) <= (fairFolds[0] ?? 0);
-}
 
 /** The reach of one drag. */
 export class ReachSteps {

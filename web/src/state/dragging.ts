@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A drag moves the chosen points together: frames while it lasts, one step of the history after.
 
+import { noticeableShare } from "virtual:core-defaults";
 import {
   DEFAULT_SETTINGS,
   type Design,
@@ -16,7 +17,6 @@ import { add } from "../mesh/vector.ts";
 import { boundNames } from "../solver/bounds.ts";
 import type { Question } from "../solver/client.ts";
 import { foldGrowth, isFound, stepOf } from "../solver/found-limits.ts";
-import { NOTICEABLE } from "../solver/how-far.ts";
 import type { EditSettings, HandleList, PullLimit } from "../solver/protocol.ts";
 import { enqueue, type Outcome } from "./action-queue.ts";
 import { client, frame } from "./connection.ts";
@@ -136,7 +136,7 @@ function pullLimit(page: Page, settings: EditSettings, grips: readonly Grip[]): 
   const rows = withTargets(page, grips, [0, 0, 0]);
   return {
     degrees: own ? stepOf(foldGrowth(page.figures.value)) : Number.POSITIVE_INFINITY,
-    short: Math.max(settings.softness > 0 ? 0 : NOTICEABLE, shortShare(page)),
+    short: Math.max(settings.softness > 0 ? 0 : noticeableShare, shortShare(page)),
     from: toTargets(rows).handles,
     base: toTargets(rows.map((row) => ({ ...row, target: basePoint(page, row.vertex) }))).handles,
   };

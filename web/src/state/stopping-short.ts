@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Whether a point stops noticeably short of where it was asked to go, by an edit, not a variation of it.
+import { noticeableShare } from "virtual:core-defaults";
 import { type Design, leftBehind } from "../design/design.ts";
-import { NOTICEABLE } from "../solver/how-far.ts";
 
 /** Mean edges: a short way's share is not seen. */
 const SEEN = 0.03;
 
 /** Lengths in model units. */
 export const isNoticeable = (short: number, way: number, meanEdge: number): boolean =>
-  short > NOTICEABLE * way && short > SEEN * meanEdge;
+  short > noticeableShare * way && short > SEEN * meanEdge;
 
 /** `base`: coordinates of all points before the edit. */
 export function stopsShort(design: Design, base: Float64Array, meanEdge: number): boolean {

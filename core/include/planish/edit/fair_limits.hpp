@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planish/constraints/stated_limit.hpp"
-#include "planish/problem/solve_report.hpp"
+#include "planish/edit/edit_standing.hpp"
 
 namespace planish {
 
@@ -24,24 +24,15 @@ struct FairSearch {
   bool corners = true;
 };
 
-/// An edit, as far as the search asks.
-struct FairStanding {
-  SolveStatus status = SolveStatus::kConverged;
-  int moved_vertices = 0;
-  double handle_error = 0.0;  ///< model units
-  double fold_growth = 0.0;   ///< degrees, see largest_fold_growth()
-  int slivers = 0;            ///< see count_new_slivers(); asked where corners are looked for
-};
-
 /// Makes the edit with these limits beside its own; nullopt where there is no such edit.
 using LimitedEdit =
-    std::function<std::optional<FairStanding>(const std::vector<StatedLimit>& limits)>;
+    std::function<std::optional<EditStanding>(const std::vector<StatedLimit>& limits)>;
 
 /// The limit on folds with which the handles get as far as in `free`, the edit without it, then
 /// that on corners, kBuildableCorners, which must leave no sliver and fold no more sharply than is
 /// fair or than without it. None that is not needed is tried; the edit made last, where one was, is
 /// that with the limits that are returned.
-[[nodiscard]] std::vector<StatedLimit> find_fair_limits(const FairStanding& free,
+[[nodiscard]] std::vector<StatedLimit> find_fair_limits(const EditStanding& free,
                                                         const FairSearch& search,
                                                         const LimitedEdit& edit);
 
