@@ -194,12 +194,17 @@ void EditSearch::try_way(const FindDesign& way, ExactDesign& design, SolveReport
   if (objective_or_infinite(found) < (is_certified(other) ? 1.0 + kSame : 1.0) * before) {
     design = std::move(found);
   } else {
-    model_.active_set().reset();
-    model_.active_set().update(design);
+    stand_at(design);
     if (other.status != SolveStatus::kCancelled) other.status = report.status;
     other.optimality = report.optimality;
   }
   report = std::move(other);
+}
+
+/// Takes the active set of a design that another one, or another search, was solved after.
+void EditSearch::stand_at(const ExactDesign& design) {
+  model_.active_set().reset();
+  model_.active_set().update(design);
 }
 
 /// Infinite where a design is not acceptable.
@@ -252,6 +257,7 @@ void EditSearch::slide_from_pinned_outlines(const Progress& progress, ExactDesig
     }
     return free;
   };
+  if (!model_.is_acceptable(design)) stand_at(design);
   try_way(slide, design, report);
 }
 

@@ -127,6 +127,7 @@ class EditSearch {
   }
   [[nodiscard]] bool may_look_on() const;
   void try_way(const FindDesign& way, ExactDesign& design, SolveReport& report);
+  void stand_at(const ExactDesign& design);
   [[nodiscard]] double objective_or_infinite(const ExactDesign& design);
   [[nodiscard]] bool has_outlines() const;
   [[nodiscard]] EditTargets with_outlines_pinned() const;
