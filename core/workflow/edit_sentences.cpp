@@ -317,8 +317,7 @@ std::vector<std::string> edit_messages(const EditRun& run, const Json& report,
             outcome_sentence(run.report), motion_sentence(run, report), broken_limits_sentence(run),
             sliding_target_sentence(run), fewest_sentence(run, report),
             run.splits ? splits_sentence(*run.splits, run.report) : std::nullopt,
-            run.fair ? fair_sentence(*run.fair) : std::nullopt,
-            shortfall_sentence(run)});
+            run.fair ? fair_sentence(*run.fair) : std::nullopt, shortfall_sentence(run)});
   messages.insert(messages.end(), variation.begin(), variation.end());
   if (report.contains("types")) messages.push_back(type_change_sentence(report["types"]));
   return messages;

@@ -16,7 +16,7 @@ using nlohmann::json;
 using testing::Cli;
 using testing::contents;
 
-const std::string kEdit =
+const std::string kFairEdit =
     "edit sample:vault:13 --handle 84+=0,0,0.7 --softness 5 --reach 4 --keep-boundary -o a.obj "
     "--report a.json --design d.json ";
 
@@ -29,11 +29,11 @@ class CliFair : public Cli {
 };
 
 TEST_F(CliFair, LimitsFoldsWhereItCostsNothingAndTheDesignReplays) {
-  ASSERT_EQ(run(kEdit), 0) << err();
+  ASSERT_EQ(run(kFairEdit), 0) << err();
   const json free = report();
   ASSERT_GT(free["sharpest_fold"]["growth"], 15.0) << "else this tests nothing";
   EXPECT_FALSE(free.contains("fair"));
-  ASSERT_EQ(run(kEdit + "--fair"), 0) << err();
+  ASSERT_EQ(run(kFairEdit + "--fair"), 0) << err();
   const json fair = report();
   ASSERT_FALSE(fair["fair"]["bounds"].empty());
   EXPECT_EQ(fair["fair"]["bounds"], bounds());
@@ -55,20 +55,20 @@ TEST_F(CliFair, LeavesAGentleEditAndStatedLimitsAsTheyAre) {
   EXPECT_EQ(report()["fair"]["bounds"], json::array());
   EXPECT_EQ(bounds(), json::array());
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
-  ASSERT_EQ(run(kEdit + "--fair --bound fold=+70 --bound angle=1:179"), 0) << err();
+  ASSERT_EQ(run(kFairEdit + "--fair --bound fold=+70 --bound angle=1:179"), 0) << err();
   EXPECT_EQ(report()["fair"]["bounds"], json::array());
   EXPECT_EQ(bounds(), json({"fold=+70", "angle=1:179"}));
 }
 
 TEST_F(CliFair, GoesWithASymmetryAndWithoutOtherSearches) {
-  ASSERT_EQ(run(kEdit + "--fair --symmetry x"), 0) << err();
+  ASSERT_EQ(run(kFairEdit + "--fair --symmetry x"), 0) << err();
   EXPECT_FALSE(report()["fair"]["bounds"].empty());
   EXPECT_LT(report()["symmetry"]["asymmetry_mean_edges"], 1e-9);
   ASSERT_EQ(run("replay d.json -o b.obj"), 0) << err();
   EXPECT_EQ(contents(directory_ / "a.obj"), contents(directory_ / "b.obj"));
-  EXPECT_EQ(run(kEdit + "--fair --fewest panels"), 2);
+  EXPECT_EQ(run(kFairEdit + "--fair --fewest panels"), 2);
   EXPECT_NE(err().find("--fair: it knows no --fewest"), std::string::npos) << err();
-  EXPECT_EQ(run(kEdit + "--fair --split-where-needed 2"), 2);
+  EXPECT_EQ(run(kFairEdit + "--fair --split-where-needed 2"), 2);
 }
 
 }  // namespace
