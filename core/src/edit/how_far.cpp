@@ -64,11 +64,10 @@ double between(const Tried& low, const Tried& high) {
 }  // namespace
 
 Arrival arrival_of(const PullLimit& limit, double way, double length, const EditStanding& edit) {
-  const double over = edit.handle_error - std::max(kMet, limit.short_share) * way;
-  const bool is_met = !is_stuck(edit) && !(edit.is_bound && over > 0.0);
+  const double over = edit.handle_error - allowed_shortfall(limit, way);
   const double least = std::numeric_limits<double>::denorm_min();
-  return {edit.handle_error / length,
-          is_met ? std::min(0.0, over / length) : std::max(least, over / length)};
+  return {edit.handle_error / length, arrives(limit, way, edit) ? std::min(0.0, over / length)
+                                                                : std::max(least, over / length)};
 }
 
 std::optional<double> furthest(const Puller& puller, int tries) {

@@ -21,11 +21,6 @@ constexpr double kSameWay = 0.99;
 /// Cosine: down to this, what held one way is worth a try the other way.
 constexpr double kSimilarWay = 0.5;
 
-/// Where nothing binds, handles are as far as they get for other reasons.
-double allowed(const PullLimit& limit, double way) {
-  return std::max(kMet, limit.short_share) * way;
-}
-
 /// Of the ways to `a` and to `b`; in this order, so that the bits are those of every build.
 double dot(const std::vector<Handle>& from, const std::vector<Handle>& a,
            const std::vector<Handle>& b) {
@@ -41,14 +36,19 @@ double dot(const std::vector<Handle>& from, const std::vector<Handle>& a,
 
 }  // namespace
 
+double allowed_shortfall(const PullLimit& limit, double way) {
+  return std::max(kMet, limit.short_share) * way;
+}
+
+/// Where nothing binds, handles are as far as they get for other reasons.
 bool arrives(const PullLimit& limit, double way, const EditStanding& edit) {
   if (is_stuck(edit)) return false;
-  return !edit.is_bound || edit.handle_error <= allowed(limit, way);
+  return !edit.is_bound || edit.handle_error <= allowed_shortfall(limit, way);
 }
 
 bool lags(const PullLimit& limit, double way, const EditStanding& edit) {
   return edit.status == SolveStatus::kIterationLimit && !edit.is_bound &&
-         edit.handle_error > allowed(limit, way);
+         edit.handle_error > allowed_shortfall(limit, way);
 }
 
 std::vector<Handle> between(const std::vector<Handle>& from, const std::vector<Handle>& to,

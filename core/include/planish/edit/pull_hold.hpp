@@ -21,8 +21,11 @@ struct PullLimit {
   int tries = 4;
 };
 
-/// Whether handles got as far as they were asked to, or are not kept from it by a limit.
+/// By how much handles may stop short; model units.
 /// @param way the longest way of a handle from the base to its target, model units; so below
+[[nodiscard]] double allowed_shortfall(const PullLimit& limit, double way);
+
+/// Whether handles got as far as they were asked to, or are not kept from it by a limit.
 [[nodiscard]] bool arrives(const PullLimit& limit, double way, const EditStanding& edit);
 
 /// Whether handles are not there only because a frame's time was over.
